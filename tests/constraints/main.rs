@@ -6,5 +6,6 @@ mod systems;
 mod figures;
 mod laws;
 mod runs;
+mod moving;
 mod refusals;
 mod rolling;

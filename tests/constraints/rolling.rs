@@ -107,8 +107,7 @@ fn a_particle_with_a_height() {
 fn a_sleigh_turns_round() -> Result<(), StepError> {
     let exact = [-3.629_773_253_476_449_5, -0.327_433_045_197_489_87, 3.582_185_253_001_450_4];
     let contact = |State { q, .. }: State<[f64; 3]>| [q[0] - 0.5 * q[2].cos(), q[1] - 0.5 * q[2].sin(), q[2]];
-    let errors =
-        [0.1, 0.05, 0.025].map(|h| far(contact(ended(SLEIGH, DiscreteGradient, h, sleighing(), 6.0)), exact));
+    let errors = [0.1, 0.05, 0.025].map(|h| far(contact(ended(SLEIGH, DiscreteGradient, h, sleighing(), 6.0)), exact));
     has_order(2.0, &errors);
     let mut sim = SLEIGH.integrator(DiscreteGradient, 0.1, sleighing());
     let energy = sim.energy();
@@ -151,10 +150,8 @@ fn a_disk_does_not_run_down_its_slope() {
     let (heading, turning, rolling, t) = (0.4_f64, 0.7, 1.1, 8.0);
     let k = m * g * r / (i + m * r * r);
     let system = Disk { m, r, i, j, g };
-    let start = system.at(
-        [0.0, 0.0, 0.0, heading],
-        [r * rolling * heading.cos(), r * rolling * heading.sin(), rolling, turning],
-    );
+    let start = system
+        .at([0.0, 0.0, 0.0, heading], [r * rolling * heading.cos(), r * rolling * heading.sin(), rolling, turning]);
     // φ' = A + B sin θ with θ = heading + turning·t; x' = rφ' cos θ, y' = rφ' sin θ.
     let (a, b) = (rolling - k / turning * heading.sin(), k / turning);
     let angle = heading + turning * t;
@@ -216,8 +213,7 @@ fn drift(mut next: impl FnMut() -> f64, start: f64) -> [f64; 5] {
 fn a_gearbox_keeps_its_energy() -> Result<(), StepError> {
     let start = State::new([1.0, 0.3, 0.0], [-0.24, 0.6, 2.5]);
     let exact = [0.736_342_850_715_262_5, -0.978_089_368_246_935_6, 9.705_889_963_398_56];
-    let errors =
-        [0.1, 0.05, 0.025].map(|h| far(ended(Gearbox { c: 0.5 }, DiscreteGradient, h, start, 5.0).q, exact));
+    let errors = [0.1, 0.05, 0.025].map(|h| far(ended(Gearbox { c: 0.5 }, DiscreteGradient, h, start, 5.0).q, exact));
     has_order(2.0, &errors);
     assert!((errors[0] / 6.02e-3 - 1.0).abs() < 0.02, "{errors:?}");
     let mut sim = Gearbox { c: 0.5 }.integrator(DiscreteGradient, 0.1, start);
