@@ -259,6 +259,95 @@ fn multipliers_are_forces() -> Result<(), StepError> {
     Ok(())
 }
 
+/// A robot with two driven wheels: x, y, heading, and the angles of the right and the left wheel, at a distance b of the middle.
+#[lagrangian(rolling = [
+    v[1] * q[2].cos() - v[0] * q[2].sin(),
+    v[0] * q[2].cos() + v[1] * q[2].sin() + b * v[2] - r * v[3],
+    v[0] * q[2].cos() + v[1] * q[2].sin() - b * v[2] - r * v[4]
+])]
+fn robot(q: [f64; 5], v: [f64; 5], m: f64, i: f64, j: f64, b: f64, r: f64) -> f64 {
+    m * (v[0] * v[0] + v[1] * v[1]) / 2.0 + i * v[2] * v[2] / 2.0 + j * (v[3] * v[3] + v[4] * v[4]) / 2.0
+}
+
+#[test]
+fn reports_say_what_is_bound() {
+    let report = Sleigh::<f64>::REPORT;
+    assert!(report.contains("velocities are bound, positions are not") && report.contains("volume"), "{report}");
+    assert!(report.contains("- the energy\n"), "{report}");
+    // The wheels turn by angles whose difference is that of the heading.
+    let report = Robot::<f64>::REPORT;
+    assert!(report.contains("row 1 − 1·row 2 is the rate of a function of positions"), "{report}");
+    let report = Ball::<f64>::REPORT;
+    assert!(
+        report.contains("the energy changes at the rate −μ[0]·(q[1]·omega)") && report.contains("- p[4]"),
+        "{report}"
+    );
+    assert!(!report.contains("- the energy\n"), "{report}");
+}
+
+/// A start that slips is refused by its row, and put right. So is a step over a point at which rows depend on each other.
+#[test]
+fn a_start_that_slips() -> Result<(), StepError> {
+    let State { q, p, .. } = sleighing();
+    let slipping = State::new(q, [p[0], p[1] + 1e-6, p[2]]);
+    let row = "v[1]·cos(q[2]) - v[0]·sin(q[2]) - v[2]·a";
+    let mut sim = SLEIGH.integrator(DiscreteGradient, 0.1, slipping);
+    assert_eq!(sim.step(), Err(StepError::new(Failure::OffConstraint { what: row }, 0.0, 0.1)));
+    assert_eq!(sim.state(), slipping);
+    SLEIGH.integrator(DiscreteGradient, 0.1, SLEIGH.state_on_constraint(&slipping)?).step()?;
+
+    /// Two rows that are parallel where x = 1.
+    #[hamiltonian(rolling = [v[0] - q[1] * v[2], q[0] * v[0] - q[1] * v[2]])]
+    fn parallel(q: [f64; 3], p: [f64; 3], m: f64) -> f64 {
+        (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / (2.0 * m)
+    }
+    let mut sim = Parallel { m: 1.4 }.integrator(DiscreteGradient, 0.1, State::new([1.0, 0.5, 0.0], [0.0, 0.3, 0.0]));
+    let refused = sim.step().expect_err("parallel");
+    assert!(matches!(refused.failure, Failure::DependentConstraints { .. }), "{refused}");
+    Ok(())
+}
+
+/// In single precision, in other units, and with steps far too long.
+#[test]
+fn other_numbers() -> Result<(), StepError> {
+    let (sin, cos) = 0.2_f32.sin_cos();
+    let system = SleighBySingle { m: 1.3, i: 0.4, a: 0.5 };
+    let start = system.at([0.5 * cos, 0.5 * sin, 0.2], [-0.6 * cos - 0.45 * sin, -0.6 * sin + 0.45 * cos, 0.9]);
+    let mut sim = system.integrator(DiscreteGradient, 0.1, system.state_on_constraint(&start)?);
+    let energy = sim.energy();
+    sim.advance(1000)?;
+    assert!((sim.energy() / energy - 1.0).abs() < 1e-5);
+    // Lengths times 2, masses times 8, times times 4: each state is the same but for powers of two.
+    let scaled = Sleigh { m: 8.0 * 1.3, i: 32.0 * 0.4, a: 1.0 };
+    let State { q, p, .. } = sleighing();
+    let start = State::new([2.0 * q[0], 2.0 * q[1], q[2]], [4.0 * p[0], 4.0 * p[1], 8.0 * p[2]]);
+    let (mut one, mut other) =
+        (SLEIGH.integrator(DiscreteGradient, 0.1, sleighing()), scaled.integrator(DiscreteGradient, 0.4, start));
+    one.advance(500)?;
+    other.advance(500)?;
+    let (a, b) = (one.state(), other.state());
+    assert_eq!([2.0 * a.q[0], 2.0 * a.q[1], a.q[2]], b.q);
+    assert_eq!([4.0 * a.p[0], 4.0 * a.p[1], 8.0 * a.p[2]], b.p);
+    for h in [1.0, 10.0, 1e3] {
+        let mut sim = SLEIGH.integrator(DiscreteGradient, h, sleighing());
+        let energy = sim.energy();
+        for _ in 0..100 {
+            let before = sim.state();
+            match sim.step() {
+                Ok(()) => assert!((sim.energy() - energy).abs() < 1e-12, "{h}: {:e}", sim.energy() - energy),
+                Err(_) => assert_eq!(sim.state(), before),
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The sleigh in single precision.
+#[lagrangian(rolling = [v[1] * q[2].cos() - v[0] * q[2].sin() - a * v[2]])]
+fn sleigh_by_single(q: [f32; 3], v: [f32; 3], m: f32, i: f32, a: f32) -> f32 {
+    m * (v[0] * v[0] + v[1] * v[1]) / 2.0 + i * v[2] * v[2] / 2.0
+}
+
 /// The schemes of the literature, each of which is wrong on one problem.
 mod control {
     use geoint_runtime::prelude::State;

@@ -108,7 +108,7 @@
 //!
 //! - `#[lagrangian]`: first L, the momenta ∂L/∂v and the mass matrix, then the report of H.
 //! - `#[contact_hamiltonian]`: the law of decay of the energy, and the pieces of `ContactSplitting`.
-//! - `constraint = …`: the constraints, the degrees of freedom, and the cost of `Rattle` and `DiscreteGradient`.
+//! - `constraint`, `rolling`: the constraints, what they bind, the degrees of freedom, and the cost of steps.
 //! - `#[vector_field]`, `structure = …`: each integral with its proof, the divergence, the brackets, and the pieces of the splittings.
 //! - `attitude = r`: T, V, the principal axes of each body, and the cost of a kick.
 //!

@@ -50,7 +50,7 @@
 //! `Suzuki4.of(DiscreteGradient)` closes the balance and is right to 4e-5 rad.
 //!
 //! # Bars and closed chains
-//! A closed chain has no independent coordinates. Write Cartesian positions, and one constraint g(q) = 0 for each bar:
+//! A closed chain has no independent coordinates. Write Cartesian positions, and one constraint g(q, t) = 0 for each bar:
 //!
 //! ```
 //! use geoint_runtime::{methods::*, prelude::*};
@@ -76,13 +76,20 @@
 //! ```
 //!
 //! - **Methods.** [`Rattle`](crate::Rattle) is symplectic, `DiscreteGradient` keeps the energy, `Suzuki4.of(…)` of them has order 4. They keep the
-//!   bars to rounding, and accept `rayleigh` with R quadratic in v. No other methods work with constraints.
+//!   bars and their rates to rounding, and accept `rayleigh` with R quadratic in v. No other methods work with constraints.
 //! - **Drives.** `force` does not compile with constraints. Add the potential of a torque: here `+ torque * q[1].atan2(q[0])` in L. H contains it. At
 //!   ±π the angle jumps by 2π, and `sim.energy()` by 2π·torque: this is the work of one turn. The motion does not jump. Change `torque` by
-//!   `set_system`. For a prescribed angle, tie the crank by a stiff spring to a point that moves with t.
-//! - **Momenta.** After a step of `DiscreteGradient` they miss the constraint of velocities by O(h²): `sim.state_on_constraint()?` returns a state
-//!   without this error. After `set_system` the next step checks positions, not velocities. If a bar changes its length, set a state on the new
-//!   constraints first.
+//!   `set_system`. A prescribed motion is a constraint that reads t, as in the example `crank`.
+//! - **Forces.** `sim.multipliers()` returns λ of the forces −Gᵀλ in the order of the constraints, G = ∂g/∂q: tensions and torques of motors.
+//! - **Momenta** are tangent to the constraints at the ends of steps. If T is not quadratic, those of `DiscreteGradient` are off by O(h²):
+//!   `sim.state_on_constraint()?` returns a state without this error. After `set_system` the next step checks positions, not velocities. If a bar
+//!   changes its length, set a state on the new constraints first.
+//!
+//! # Wheels and blades
+//! A wheel that rolls binds velocities: `rolling = [r]` with r = A(q, t)v + b(q, t), in any number and beside `constraint`. The examples `sleigh` and
+//! `rolling` show a blade, a disk and a ball. `DiscreteGradient` keeps r at rounding, and the energy if b = 0. `RK4`, `DOP853` and `adaptive` keep r to
+//! their error. No method is symplectic, because the motion is not: it may contract volume. A row that is the rate of a function of q is refused, and
+//! the report names pairs of rows that are. `multipliers()` returns μ of the forces Aᵀμ.
 //! # Kinds of Lagrangians
 //! | L | methods |
 //! |---|---|
@@ -114,7 +121,7 @@
 //! - A dead point, where all bars lie in one line and two motions are possible: [`DependentConstraints`](crate::Failure::DependentConstraints) or
 //!   `Singular`.
 //! - A velocity outside the domain of L, such as v > c, or one that its momentum does not determine: [`NoMomentum`](crate::Failure::NoMomentum).
-//! - Constraints depend on q and parameters only, not on t. With constraints, `force`, adaptive runs and explicit methods do not compile.
-//! - In an open chain, put a prescribed motion q(t) into L. Write rolling without slip as a [`#[vector_field]`](super::_11_fields) with multipliers.
+//! - With constraints, `force` and an action do not compile. With `constraint`, adaptive runs and explicit methods do not.
+//! - In an open chain, put a prescribed motion q(t) into L.
 //!
 //! Next: [fields with integrals and rigid bodies](super::_11_fields), [events](super::_12_events), [games and real time](super::_13_real_time).

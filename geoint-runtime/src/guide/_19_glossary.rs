@@ -26,7 +26,8 @@
 //! - **Collocation**: a method whose polynomial satisfies the equations of motion at chosen times in the step. See [`Gauss`](crate::Gauss).
 //! - **Compensated sum**: a sum that carries its rounding error along. Call `.compensated()` on a run.
 //! - **Composition**: several steps of one map with different lengths, such that their errors cancel. It raises the order.
-//! - **Constraint**: a function g(q) that stays zero, such as the distance of two joints minus the length of their bar.
+//! - **Constraint**: a function g(q, t) that stays zero, such as the distance of two joints minus the length of their bar; with `rolling`, a function of
+//!   velocities. Its **multiplier** gives its force.
 //! - **Contact form** ds − p dq: the structure of contact systems. Their flow multiplies it by a factor.
 //! - **Dense output**: states between the ends of steps. The steps themselves do not change.
 //! - **Discrete gradient**: a vector ∇̄H with ∇̄H·(x₁ − x₀) = H(x₁) − H(x₀) for the ends x₀, x₁ of a step. Used for ∇H, it keeps the energy exactly.

@@ -16,15 +16,6 @@ mod constraint_reads_no_position {
     }
 }
 
-mod constraint_reads_time {
-    use geoint_runtime::hamiltonian;
-
-    #[hamiltonian(constraint = [q[0] * q[0] + q[1] * q[1] - l * l * (1.0 + t)])]
-    fn pendulum(q: [f64; 2], p: [f64; 2], t: f64, l: f64) -> f64 {
-        (p[0] * p[0] + p[1] * p[1]) / 1.4 + 6.9 * q[1] * (t * l).sin()
-    }
-}
-
 mod constraint_with_structure {
     use geoint_runtime::hamiltonian;
 
@@ -58,6 +49,15 @@ mod constraints_of_all_coordinates {
     #[hamiltonian(constraint = [q[0] * q[0] + q[1] * q[1] - l * l, q[0] - q[1]])]
     fn pendulum(q: [f64; 2], p: [f64; 2], l: f64) -> f64 {
         (p[0] * p[0] + p[1] * p[1]) / 1.4 + 6.9 * q[1] / l
+    }
+}
+
+mod constraint_more_than_coordinates {
+    use geoint_runtime::hamiltonian;
+
+    #[hamiltonian(constraint = [q[0] - t * l, q[1] - t, q[0] * q[1] - t])]
+    fn driven(q: [f64; 2], p: [f64; 2], t: f64, l: f64) -> f64 {
+        (p[0] * p[0] + p[1] * p[1]) / 1.4
     }
 }
 

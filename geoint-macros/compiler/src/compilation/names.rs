@@ -36,7 +36,6 @@ impl Naming for Names<'_> {
             Symbol::ActionIncrement => format!("d{}", of_role(Role::Action, 0)),
             Symbol::VelocityIncrement(i) => format!("d{}", of_role(Role::Velocity, i)),
             Symbol::Multiplier(k) => format!("λ[{k}]"),
-            Symbol::Held(k) => format!("held[{k}]"),
             Symbol::Parameter(index) => self.of_parameter(index as usize),
         }
     }

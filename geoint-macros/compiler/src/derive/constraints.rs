@@ -6,7 +6,6 @@ use crate::analyze::{self, Structure};
 use crate::compilation::Compilation;
 use crate::diff::constraint::{self, Constrained, Equation, Momenta, Row};
 use crate::diff::{Gradient, field, jacobian};
-use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Symbol, UndefinedAt};
 use crate::messages::CONSTRAINED;
 use crate::schedule::{Kernel, Levels, Output, Routine, Space, phase};
@@ -78,15 +77,8 @@ pub(crate) fn constrained(
 
 /// Derives the residual and its derivative, the increments of a solution, and numbers with the rounding errors of the unknowns.
 fn step(graph: &mut Graph, equation: Equation, positions: &[usize]) -> StepKernel {
-    let Equation { unknowns, mut residual, mut end, origin, held } = equation;
-    let mut matrix = jacobian(graph, &residual, &unknowns);
-    let mut values = Substitution::new(|_: &mut Graph, symbol| match symbol {
-        Symbol::Held(k) => Some(held[k as usize]),
-        _ => None,
-    });
-    for node in residual.iter_mut().chain(&mut end).chain(matrix.iter_mut().flatten()) {
-        *node = values.apply(graph, *node);
-    }
+    let Equation { unknowns, residual, end, origin } = equation;
+    let matrix = jacobian(graph, &residual, &unknowns);
     let unknowns = Space::of_unknowns(unknowns, positions);
     let residual = Output::array("residual", &unknowns.extents, residual);
     let matrix = Output::square("matrix", &unknowns.extents, &matrix);

@@ -47,11 +47,7 @@ impl Reads {
             Symbol::Velocity(_) | Symbol::VelocityIncrement(_) => Reads { v: true, ..none },
             Symbol::Action | Symbol::ActionIncrement => Reads { s: true, ..none },
             Symbol::Time | Symbol::StepStart | Symbol::StepEnd => Reads { t: true, ..none },
-            Symbol::Parameter(_)
-            | Symbol::Multiplier(_)
-            | Symbol::Held(_)
-            | Symbol::StepLength
-            | Symbol::GradientWeight => none,
+            Symbol::Parameter(_) | Symbol::Multiplier(_) | Symbol::StepLength | Symbol::GradientWeight => none,
         }
     }
 

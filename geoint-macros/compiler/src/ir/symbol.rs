@@ -30,8 +30,6 @@ pub(crate) enum Symbol {
     VelocityIncrement(u32),
     /// The multiplier of a constraint.
     Multiplier(u32),
-    /// A value that Newton's matrix treats as constant. The graph of an equation contains it only until the matrix is derived.
-    Held(u32),
 }
 
 impl Symbol {

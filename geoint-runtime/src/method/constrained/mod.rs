@@ -1,7 +1,7 @@
-//! Methods for systems whose positions satisfy g(q) = 0: mechanisms in Cartesian coordinates, closed chains.
+//! Methods for systems with constraints g(q, t) = 0, as closed chains in Cartesian coordinates have, and A(q, t)v + b(q, t) = 0, as wheels without slip have.
 //!
-//! Two methods keep constraints: [`Rattle`], which is symplectic, and [`DiscreteGradient`](crate::DiscreteGradient), which keeps the energy. The constraints
-//! must be independent: the rows of ∂g/∂q may not depend on each other.
+//! Two methods keep constraints of positions to rounding: [`Rattle`], which is symplectic, and [`DiscreteGradient`](crate::DiscreteGradient), which keeps the
+//! energy. The latter also keeps constraints of velocities. Constraints must be independent: the rows of ∂g/∂q and A may not depend on each other.
 //!
 //! ```
 //! use geoint_runtime::methods::*;

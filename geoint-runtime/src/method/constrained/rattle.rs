@@ -8,11 +8,11 @@ use crate::method::{Claims, Name};
 use crate::scalar::Real;
 use crate::system::ConstrainedStep;
 
-/// RATTLE, for states with g(q) = 0 and G ∂H/∂p = 0, where G = ∂g/∂q. The start of a run must satisfy both. With multipliers λ and μ, a step is
+/// RATTLE, for states with g(q, t) = 0 and G ∂H/∂p + ∂g/∂t = 0, where G = ∂g/∂q. The start of a run must satisfy both. With multipliers λ and μ, a step is
 ///
 /// - p½ = p₀ − h/2 (∂H/∂q + Gᵀλ)(q₀, p½),
-/// - q₁ = q₀ + h/2 (∂H/∂p(q₀, p½) + ∂H/∂p(q₁, p½)), with λ from g(q₁) = 0,
-/// - p₁ = p½ − h/2 (∂H/∂q + Gᵀμ)(q₁, p½), with μ from G ∂H/∂p(q₁, p₁) = 0.
+/// - q₁ = q₀ + h/2 (∂H/∂p(q₀, p½) + ∂H/∂p(q₁, p½)), with λ from g(q₁, t₁) = 0,
+/// - p₁ = p½ − h/2 (∂H/∂q + Gᵀμ)(q₁, p½), with μ from G ∂H/∂p(q₁, p₁) + ∂g/∂t = 0.
 ///
 /// Order 2, symmetric, and a symplectic map of these states. With short steps the energy oscillates and does not drift. Both conditions are met to rounding.
 /// For H = T(p) + V(q) with a constant mass matrix and without damping, the multipliers λ are the only unknowns, and a step evaluates the force at both ends.

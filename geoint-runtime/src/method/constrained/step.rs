@@ -1,4 +1,4 @@
-//! The step of a system with constraints g(q) = 0, for [`Rattle`](super::Rattle) and [`DiscreteGradient`](crate::DiscreteGradient). The attribute macros
+//! The step of a system with constraints, for [`Rattle`](super::Rattle) and [`DiscreteGradient`](crate::DiscreteGradient). The attribute macros
 //! emit its equation as [`ConstrainedStep`]. This file connects the equation with the driver, and checks the constraints.
 //!
 //! The unknowns are multipliers μ = −½h²λ, and increments of positions and momenta if the method needs them. Both methods define their step by λ. μ moves the

@@ -34,8 +34,8 @@ use crate::system::{Conservative, DiscreteField, Invariants, KeptBy, Span};
 /// does not read time, a product with a constant inverse solves it. With a damping matrix C, J − C replaces J, and the energy changes by −h ∇̄H·C∇̄H, to
 /// rounding. In compositions with steps back in time, this balance holds for each substep. If H reads time, a step takes H at the time of its middle.
 ///
-/// Vector fields with first integrals keep these in place of H. Lagrangians that are solved for velocities have the step
-/// `PolarisedStep`, and systems with constraints the step `MultiplierStep`.
+/// Vector fields with first integrals keep these in place of H. Lagrangians that are solved for velocities have the step `PolarisedStep`. Systems with
+/// constraints of positions or velocities have the step `MultiplierStep`, which keeps them and their rates, too.
 ///
 /// T. Matsubara, A. Ishikawa & T. Yaguchi, NeurIPS 2020; R. A. LaBudde & D. Greenspan, Numer. Math. 25 (1976) 323.
 #[doc(alias("energy-momentum", "energy conserving", "energy-preserving"))]

@@ -223,7 +223,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Fixed<S
         if !M::is_in_range(&self.prepared, &self.system, &self.x.z) {
             return Err(Failure::OutOfRange);
         }
-        // The momenta of a run whose system was replaced result from a step. `DiscreteGradient` leaves them O(h²) off, so only positions are checked.
+        // The momenta of a run whose system was replaced result from a step. `DiscreteGradient` may leave them O(h²) off, so only positions are checked.
         // Rates are not checked with a step of length 0.
         let h_of_rates = if self.taken == self.set { self.clock.step_size() } else { zero() };
         match self.system.unmet(self.now(), h_of_rates, &self.x.z) {

@@ -55,8 +55,9 @@ pub type Gradients<S, R> = <<S as Constrained<R>>::Multipliers as Array>::Map<<S
 /// The equation of a step of the method `M` from a point z = (q, p). The unknowns are multipliers in a row, and increments before them if the method needs
 /// these.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` has no constraints",
+    message = "`{Self}` has no constraints of positions alone",
     label = "`{M}` is for systems with `constraint = [g]`",
+    note = "methods that keep `rolling`: `DiscreteGradient`, `RK4`, `DOP853`",
     note = "without constraints `Rattle` is `StormerVerlet`, if the energy is T(p) + V(q)"
 )]
 pub trait ConstrainedStep<M, R: Real = f64>: Constrained<R> {

@@ -1,7 +1,7 @@
 //! The multipliers of a state: p' = f + Aᵀμ with (A v + b)' = 0.
 
 use super::Constrained;
-use super::elimination::Cholesky;
+use super::elimination::Factors;
 use super::vectors::{combination, sums};
 use crate::diff::forward::along;
 use crate::ir::{Graph, Id, Symbol};
@@ -19,9 +19,7 @@ impl Constrained<'_> {
         });
         let rhs: Vec<Id> = changes.iter().map(|change| graph.neg(*change)).collect();
         let inertia = self.inertia(graph);
-        let factor = Cholesky::of(graph, &inertia);
-        let half = factor.solve(graph, &rhs);
-        factor.solve_transposed(graph, &half)
+        Factors::of(graph, &inertia).solve(graph, &rhs)
     }
 
     /// p' with these multipliers.

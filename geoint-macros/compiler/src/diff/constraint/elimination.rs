@@ -3,64 +3,87 @@
 use crate::ir::formula::pow;
 use crate::ir::{Graph, Id, Ratio};
 
-/// The lower triangular C with C Cᵀ = M. Its diagonal is NaN or zero if M is not positive definite.
-pub(super) struct Cholesky(Vec<Vec<Id>>);
+/// M = L D Lᵀ of a symmetric positive definite M, with a diagonal D and a lower triangular L with ones on its diagonal.
+pub(super) struct Factors {
+    /// The entries of L before the diagonal.
+    lower: Vec<Vec<Id>>,
+    diagonal: Vec<Id>,
+}
 
-impl Cholesky {
+impl Factors {
     /// Factors the matrix, whose entries above the diagonal are not read.
-    pub(super) fn of(graph: &mut Graph, matrix: &[Vec<Id>]) -> Cholesky {
-        let mut factor: Vec<Vec<Id>> = vec![];
+    pub(super) fn of(graph: &mut Graph, matrix: &[Vec<Id>]) -> Factors {
+        let (mut lower, mut diagonal): (Vec<Vec<Id>>, Vec<Id>) = (vec![], vec![]);
         for (i, row) in matrix.iter().enumerate() {
-            let mut entries: Vec<Id> = vec![];
-            for j in 0..=i {
-                let other = if i == j { entries.clone() } else { factor[j][..j].to_vec() };
-                let known = graph.dot(&entries[..j], &other);
-                let rest = graph.sub(row[j], known);
-                entries.push(if i == j { graph.build(pow(rest, Ratio::HALF)) } else { graph.div(rest, factor[j][j]) });
+            // The entries of L D.
+            let mut scaled: Vec<Id> = vec![];
+            for j in 0..i {
+                let known = graph.dot(&scaled, &lower[j]);
+                scaled.push(graph.sub(row[j], known));
             }
-            factor.push(entries);
+            let entries: Vec<Id> = scaled.iter().zip(&diagonal).map(|(entry, d)| graph.div(*entry, *d)).collect();
+            let known = graph.dot(&scaled, &entries);
+            diagonal.push(graph.sub(row[i], known));
+            lower.push(entries);
         }
-        Cholesky(factor)
+        Factors { lower, diagonal }
     }
 
-    /// C Bᵀ for the factor B of another matrix.
-    pub(super) fn times_transposed(&self, graph: &mut Graph, other: &Cholesky) -> Vec<Vec<Id>> {
-        let mut entry = |a: &[Id], b: &[Id]| {
-            let common = a.len().min(b.len());
-            graph.dot(&a[..common], &b[..common])
-        };
-        self.0.iter().map(|a| other.0.iter().map(|b| entry(a, b)).collect()).collect()
+    /// The diagonal √(D D'), with D' of other factors. A change of units multiplies both by the same number, so the root has the rounding of any units.
+    pub(super) fn geometric_means(&self, graph: &mut Graph, other: &Factors) -> Vec<Id> {
+        let pairs = self.diagonal.iter().zip(&other.diagonal);
+        pairs.map(|(a, b)| graph.build(pow(*a * *b, Ratio::HALF))).collect()
     }
 
-    /// Cᵀ x.
+    /// L S L'ᵀ with a diagonal S, and L' of other factors.
+    pub(super) fn product(&self, graph: &mut Graph, s: &[Id], other: &Factors) -> Vec<Vec<Id>> {
+        let mut rows = vec![];
+        for (i, a) in self.lower.iter().enumerate() {
+            let mut row = vec![];
+            for (j, b) in other.lower.iter().enumerate() {
+                let mut terms = vec![];
+                for k in 0..=i.min(j) {
+                    let [a, b] = [(i, a), (j, b)].map(|(i, entries)| if k < i { entries[k] } else { graph.integer(1) });
+                    terms.push(graph.product(&[a, s[k], b]));
+                }
+                row.push(graph.sum(&terms));
+            }
+            rows.push(row);
+        }
+        rows
+    }
+
+    /// Lᵀ x.
     pub(super) fn transposed_times(&self, graph: &mut Graph, x: &[Id]) -> Vec<Id> {
-        (0..x.len()).map(|i| graph.dot(&self.column(i), &x[i..])).collect()
+        (0..x.len()).map(|i| self.add_later(graph, i, x, x[i])).collect()
     }
 
-    /// The solution y of C y = x.
+    /// The solution y of D Lᵀ y = x.
+    pub(super) fn solve_transposed(&self, graph: &mut Graph, x: &[Id]) -> Vec<Id> {
+        let mut solution: Vec<Id> = x.iter().zip(&self.diagonal).map(|(x, d)| graph.div(*x, *d)).collect();
+        for i in (0..x.len()).rev() {
+            let zero = graph.zero();
+            let known = self.add_later(graph, i, &solution, zero);
+            solution[i] = graph.sub(solution[i], known);
+        }
+        solution
+    }
+
+    /// The solution y of M y = x.
     pub(super) fn solve(&self, graph: &mut Graph, x: &[Id]) -> Vec<Id> {
         let mut solution: Vec<Id> = vec![];
-        for (i, row) in self.0.iter().enumerate() {
-            let known = graph.dot(&row[..i], &solution);
-            solution.push(graph.build((x[i] - known) / row[i]));
+        for (entries, x) in self.lower.iter().zip(x) {
+            let known = graph.dot(entries, &solution);
+            solution.push(graph.sub(*x, known));
         }
-        solution
+        self.solve_transposed(graph, &solution)
     }
 
-    /// The solution y of Cᵀ y = x.
-    pub(super) fn solve_transposed(&self, graph: &mut Graph, x: &[Id]) -> Vec<Id> {
-        let mut solution = x.to_vec();
-        for i in (0..x.len()).rev() {
-            let column = self.column(i);
-            let known = graph.dot(&column[1..], &solution[i + 1..]);
-            solution[i] = graph.build((x[i] - known) / column[0]);
-        }
-        solution
-    }
-
-    /// The entries of a column from the diagonal downwards.
-    fn column(&self, i: usize) -> Vec<Id> {
-        self.0[i..].iter().map(|row| row[i]).collect()
+    /// `start` + Σ Lₖᵢ xₖ over the rows k after i.
+    fn add_later(&self, graph: &mut Graph, i: usize, x: &[Id], start: Id) -> Id {
+        let later = self.lower.iter().zip(x).skip(i + 1);
+        let products: Vec<Id> = later.map(|(entries, x)| graph.mul(entries[i], *x)).collect();
+        graph.sum(&[&[start], &products[..]].concat())
     }
 }
 

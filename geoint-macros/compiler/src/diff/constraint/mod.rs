@@ -42,8 +42,6 @@ pub(crate) struct Equation {
     pub(crate) end: Vec<Id>,
     /// For every unknown a number of the size whose rounding error the unknown has.
     pub(crate) origin: Vec<Id>,
-    /// The values of [`Symbol::Held`].
-    pub(crate) held: Vec<Id>,
 }
 
 impl<'a> Constrained<'a> {

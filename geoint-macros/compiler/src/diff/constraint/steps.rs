@@ -40,7 +40,6 @@ pub(crate) fn rattle(graph: &mut Graph, system: &Constrained<'_>) -> Equation {
             end: [shift, sums(graph, &increments, &last)].concat(),
             origin: system.rounding_of_multipliers(graph),
             unknowns,
-            held: vec![],
         };
     }
     // Here Δp leads to the momenta in the middle of the step.
@@ -63,7 +62,6 @@ pub(crate) fn rattle(graph: &mut Graph, system: &Constrained<'_>) -> Equation {
         end: [dq, sums(graph, &dp, &last)].concat(),
         origin: origin(graph, system, &increments, Number::ONE),
         unknowns: [increments, multipliers(system.rows.len())].concat(),
-        held: vec![],
     }
 }
 
@@ -114,13 +112,13 @@ pub(crate) fn discrete_gradient_step(graph: &mut Graph, system: &Constrained<'_>
         }
     };
     residual.extend(conditions);
-    let (gained, held) = match normal {
-        Some(normal) => (normal.taken_from(graph, &gained), normal.held),
-        None => (gained, vec![]),
+    let gained = match normal {
+        Some(normal) => normal.taken_from(graph, &gained),
+        None => gained,
     };
     let origin = origin(graph, system, &increments, two);
     let unknowns = [increments, multipliers(system.rows.len())].concat();
-    Equation { residual, end: [shift, gained].concat(), origin, unknowns, held }
+    Equation { residual, end: [shift, gained].concat(), origin, unknowns }
 }
 
 /// The conditions of all rows in the units of their multipliers.

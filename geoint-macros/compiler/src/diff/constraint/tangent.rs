@@ -1,4 +1,5 @@
-//! Tangent ends of a discrete gradient with constraints, for energies whose ∂H/∂p is affine in p. With N = C⁻¹A and C Cᵀ = A W Aᵀ:
+//! Tangent ends of a discrete gradient with constraints, for energies whose ∂H/∂p is affine in p. With N = C⁻¹A and C = L√D from
+//! A W Aᵀ = L D Lᵀ:
 //!
 //! - P₀ = p₀ + N₀ᵀν and P₁ = p₁ + N₁ᵀν with the same ν,
 //! - q₁ − q₀ = h v̄ and P₁ − P₀ = h f̄ + Āᵀλ, with discrete gradients between (q₀, P₀) and (q₁, P₁),
@@ -12,7 +13,7 @@
 //! the impulse of the plain step and a small term.
 
 use super::Constrained;
-use super::elimination::{Cholesky, solve};
+use super::elimination::{Factors, solve};
 use super::vectors::{combination, differences, ends, moved, scaled, sums};
 use crate::diff::equations::times;
 use crate::ir::substitute::Substitution;
@@ -26,8 +27,6 @@ pub(super) struct Normal {
     at_end: Vec<Id>,
     /// 2 (A₀ − Ā)ᵀw.
     pub(super) impulse: Vec<Id>,
-    /// The entries of the matrix for w. Newton's matrix holds them constant: w = O(h²) is their factor, and the whole term changes s by O(h³).
-    pub(super) held: Vec<Id>,
 }
 
 impl Normal {
@@ -54,7 +53,9 @@ impl Normal {
         };
         let rates: Vec<Id> = last.gradients.iter().map(|row| graph.dot(row, &velocity)).collect();
         let rates = sums(graph, &rates, &last.drifts);
-        let mut matrix = last.factor.times_transposed(graph, &first.factor);
+        // C₁C₀ᵀ, and then A₁W₁A₀ᵀ in addition.
+        let means_of_diagonals = last.factors.geometric_means(graph, &first.factors);
+        let mut matrix = last.factors.product(graph, &means_of_diagonals, &first.factors);
         for (entries, row) in matrix.iter_mut().zip(&last.gradients) {
             let direction = times(graph, &last.inverse_mass, row);
             for (entry, other) in entries.iter_mut().zip(&first.gradients) {
@@ -62,12 +63,11 @@ impl Normal {
                 *entry = graph.add(*entry, product);
             }
         }
-        let entry = |graph: &mut Graph, k: usize| graph.symbol(Symbol::Held(k as u32));
-        let m = rates.len();
-        let symbols = (0..m).map(|i| (0..m).map(|j| entry(graph, i * m + j)).collect()).collect();
-        let w = solve(graph, symbols, rates);
-        let nu = first.factor.transposed_times(graph, &w);
-        let at_last = last.factor.solve_transposed(graph, &nu);
+        let w = solve(graph, matrix, rates);
+        // C₁⁻ᵀν = C₁⁻ᵀC₀ᵀw.
+        let along = first.factors.transposed_times(graph, &w);
+        let along: Vec<Id> = along.iter().zip(&means_of_diagonals).map(|(x, mean)| graph.mul(*x, *mean)).collect();
+        let at_last = last.factors.solve_transposed(graph, &along);
         let two = graph.integer(2);
         let twice_w = scaled(graph, two, &w);
         let changes: Vec<Vec<Id>> =
@@ -76,7 +76,6 @@ impl Normal {
             at_start: combination(graph, &first.gradients, &w),
             at_end: combination(graph, &last.gradients, &at_last),
             impulse: combination(graph, &changes, &twice_w),
-            held: matrix.concat(),
         }
     }
 
@@ -106,8 +105,8 @@ struct Rows {
     gradients: Vec<Vec<Id>>,
     drifts: Vec<Id>,
     inverse_mass: Vec<Vec<Id>>,
-    /// C.
-    factor: Cholesky,
+    /// Factors of A W Aᵀ.
+    factors: Factors,
 }
 
 impl Rows {
@@ -119,6 +118,6 @@ impl Rows {
             .map(|rows| rows.iter().map(|row| at(row)).collect());
         let drifts = at(&drifts);
         let inertia: Vec<Vec<Id>> = inertia;
-        Rows { gradients, drifts, inverse_mass, factor: Cholesky::of(graph, &inertia) }
+        Rows { gradients, drifts, inverse_mass, factors: Factors::of(graph, &inertia) }
     }
 }

@@ -26,9 +26,12 @@ pub(super) fn report(report: &mut Report<'_>, found: &ConstrainedFindings, syste
         if graph.is_zero(row.drift) {
             continue;
         }
-        let (drift, multiplier) = (report.excerpt(row.drift), multiplier(&found.rows, k));
-        let sign = if row.value.is_some() { "" } else { "−" };
-        writeln!(report, "- the energy changes by {sign}{multiplier}·({drift}): this constraint moves");
+        let multiplier = multiplier(&found.rows, k);
+        let power = match row.value {
+            Some(_) => format!("{multiplier}·∂g[{k}]/∂t"),
+            None => format!("−{multiplier}·({})", report.formula(row.drift)),
+        };
+        writeln!(report, "- the energy changes at the rate {power}: this constraint does work");
     }
     if rolls {
         writeln!(report, "- no symplectic form: volume in phase space is not kept in general");
@@ -72,10 +75,9 @@ fn equations(report: &mut Report<'_>, found: &ConstrainedFindings) {
     let (n, m) = (gradient.q.len(), rows.len());
     let (constraints, free) = (plural(m), plural(n - m));
     writeln!(report, "- {n} coordinates and {m} constraint{constraints}: {} degree{free} of freedom", n - m);
-    let start = if positions.is_empty() {
-        format!("A{} + b = 0", report.name_of(Role::Velocity))
-    } else {
-        format!("g = 0 and dg/dt = 0 at {p}")
+    let start = match positions.is_empty() {
+        true => format!("A{} + b = 0", report.name_of(Role::Velocity)),
+        false => "g = 0 and dg/dt = 0".into(),
     };
     writeln!(report, "- a state starts with {start}; `state_on_constraint` gives the nearest one");
     if let Some(found) = &structure.damping {
