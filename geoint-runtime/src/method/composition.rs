@@ -95,9 +95,23 @@ pub trait SymmetricMap: Copy {
     fn compose<const K: usize>(self, composition: Composition<K>) -> Self::Composed<K>;
 }
 
-/// Implements [`SymmetricMap`] for maps whose compositions take one substep after the other.
+/// A map whose steps obey the laws of systems `S` back in time as well. Compositions of order 4 and more have steps back in time. The proof of a method is one
+/// if it holds in both directions.
+#[diagnostic::on_unimplemented(
+    message = "entropy would fall in a composition of `DiscreteGradient` for `{S}`, because some of its steps lead back in time",
+    label = "this composition does not fit a system with an `entropy`",
+    note = "`DiscreteGradient` alone, of order 2, keeps the energy and never lowers the entropy",
+    note = "methods of higher order that keep neither exactly: `RK4`, `DOP853`, `Gauss`, `Suzuki4.of(ImplicitMidpoint)`"
+)]
+pub trait StepsBack<S, R> {}
+
+impl<S, R> StepsBack<S, R> for () {}
+
+/// Implements [`SymmetricMap`] for maps whose compositions take one substep after the other. The bound restricts the systems `S` of compositions.
 macro_rules! substeps {
-    ($([$($generic:tt)*] $map:ty);*) => { $(
+    ($([$($generic:tt)*] $map:ty $(where $proof:ty: $systems:path)?);*) => { $(
+        impl<S, R, $($generic)*> crate::method::composition::StepsBack<S, R> for $map
+        $(where S: $systems, R: crate::scalar::Real, $proof: crate::method::composition::StepsBack<S, R>)? {}
         impl<$($generic)*> crate::method::composition::SymmetricMap for $map {
             type Composed<const SUBSTEPS: usize> = crate::method::composition::Composed<$map, SUBSTEPS>;
             fn compose<const SUBSTEPS: usize>(
@@ -141,7 +155,7 @@ pub struct Composed<M, const K: usize> {
     pub(crate) composition: Composition<K>,
 }
 
-impl<S: PhaseSpace<R>, R: Real, M: Method<S, R>, const K: usize> Method<S, R> for Composed<M, K> {
+impl<S: PhaseSpace<R>, R: Real, M: Method<S, R> + StepsBack<S, R>, const K: usize> Method<S, R> for Composed<M, K> {
     type Proof = M::Proof;
     type Prepared = [Substep<M::Prepared, R>; K];
     /// One memory for each substep: increments are extrapolated from those of the same substep in earlier steps. Do not share one memory. Substeps

@@ -1,4 +1,4 @@
-//! The conjunction of proofs, see [`Method::Proof`](crate::Method::Proof).
+//! Proofs that a system has the properties of a method, and their conjunction; see [`Method::Proof`](crate::Method::Proof).
 
 /// The conjunction of two proofs, a type that exists if both proofs exist.
 pub trait And<Q> {
@@ -9,6 +9,11 @@ pub trait And<Q> {
 impl<P, Q> And<Q> for P {
     type Both = Q;
 }
+
+/// The proof for steps that obey the laws of the system forward in time only: [`DiscreteGradient`](crate::DiscreteGradient) never lowers an entropy in a
+/// step of positive length.
+#[derive(Clone, Copy, Debug)]
+pub struct ForwardInTime;
 
 /// The run `T`, given the proof `P` that the system has the properties that its method needs. In a program that compiles it is `T`.
 ///

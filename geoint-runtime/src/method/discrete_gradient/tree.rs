@@ -13,7 +13,7 @@ use crate::implicit_method;
 use crate::method::composition::substeps;
 use crate::method::corrected::rounded;
 use crate::method::implicit::{
-    Arrival, Branch, Departure, Equation, Evaluated, ImplicitStep, Increment, Policy, Sums, Units, Watch,
+    Arrival, Branch, Departure, Equation, Evaluated, ImplicitStep, Increment, Policy, SolvedBy, Sums, Units, Watch,
 };
 use crate::method::{Claims, Failure, Name, Probe};
 use crate::scalar::{Real, exact_sum, zero};
@@ -47,7 +47,7 @@ implicit_method!(
     |_| Name::new("DiscreteGradient"),
     Claims::of_order(2).symmetric().conserving_energy()
 );
-substeps!([] DiscreteGradient);
+substeps!([] DiscreteGradient where <S as SolvedBy<Self, R>>::Proof: SolvedBy<Self, R>);
 
 /// The tree discrete gradient in all coordinates, for methods that build on it.
 impl MeanGradient for DiscreteGradient {

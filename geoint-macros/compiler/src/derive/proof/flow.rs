@@ -1,6 +1,6 @@
 //! A flow x' = f(x, t), or the flow x' = S(x) ∇H of an energy, with the functions that it keeps.
 
-use super::Structure;
+use super::{Dissipation, Structure};
 use crate::analyze::{Damping, claims, search};
 use crate::diff;
 use crate::diff::equations::{checked_damping, structured, times};
@@ -26,6 +26,8 @@ pub(crate) struct Flow {
     pub(crate) energy: Option<(Id, Vec<Vec<Id>>)>,
     /// The damping −C ∇H in the field.
     loss: Option<Vec<Id>>,
+    /// The friction of x' = L ∇E + M ∇S.
+    pub(crate) dissipation: Option<Dissipation>,
     /// Functions that steps keep, or whose change is known.
     pub(crate) kept: Vec<Named>,
     /// Constant functions that steps do not keep.
@@ -58,6 +60,8 @@ pub(crate) enum Origin {
     Assumed,
     /// The energy.
     Energy,
+    /// The entropy, which friction raises.
+    Entropy,
     /// Found by the search.
     Found,
 }
@@ -75,6 +79,7 @@ impl Flow {
             field: field.to_vec(),
             energy: None,
             loss: None,
+            dissipation: None,
             kept: keeps.map(named).collect(),
             also: vec![],
             divergent: None,
@@ -106,6 +111,7 @@ impl Flow {
             field,
             energy: Some((energy, matrix)),
             loss,
+            dissipation: None,
             kept,
             also: vec![],
             divergent: None,
@@ -153,13 +159,17 @@ impl Flow {
         }
     }
 
-    /// Adds Casimirs, which are constant along the rows of S. One of them may be the function from which S was built. Damping changes them as it changes H.
+    /// Adds Casimirs, which are constant along the rows of S. One of them may be the function from which S was built. Damping changes them as it changes H. In a
+    /// system with an entropy, [`search`](Self::search) finds the functions that friction keeps, too.
     pub(crate) fn search_casimirs(
         &mut self,
         graph: &mut Graph,
         Structure { matrix: rows, casimir: written, .. }: &Structure,
         names: &dyn Naming,
     ) {
+        if self.dissipation.is_some() {
+            return;
+        }
         let x = coordinates(self.field.len());
         // The Casimir of the user comes first. The search may find a function of it with a smaller domain, such as its logarithm.
         let mut found: Vec<_> = written.iter().map(|value| search::Kept { value: *value, linear: false }).collect();
