@@ -36,7 +36,6 @@
 //! ```
 
 use crate::method::Method;
-use crate::method::composition::StepsBack;
 use crate::method::constrained::Rattle;
 use crate::method::contact::{
     ContactDiscreteGradient, ContactGauss, ContactLeapfrog, ContactMidpoint, SolvedByContactGauss,
@@ -136,10 +135,7 @@ pub fn principal_axes<S: PrincipalAxes<R>, R: Real>(visitor: &mut impl Visitor<S
 }
 
 /// The discrete gradient that keeps the energy, or satisfies the energy balance of damping, and its compositions.
-pub fn discrete_gradient<S, R: Real>(visitor: &mut impl Visitor<S, R>)
-where
-    S: SolvedBy<DiscreteGradient, R, Proof: StepsBack<S, R>>,
-{
+pub fn discrete_gradient<S: SolvedBy<DiscreteGradient, R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: DiscreteGradient);
     compositions!(visitor: DiscreteGradient);
 }
@@ -209,7 +205,7 @@ pub fn nystrom_pieces<S: NystromPieces<R> + Pieces<PieceSplitting, R>, R: Real>(
 /// Methods for systems with constraints.
 pub fn constrained<S, R: Real>(visitor: &mut impl Visitor<S, R>)
 where
-    S: SolvedBy<Rattle, R> + SolvedBy<DiscreteGradient, R, Proof: StepsBack<S, R>>,
+    S: SolvedBy<Rattle, R> + SolvedBy<DiscreteGradient, R>,
 {
     show!(visitor: Rattle, DiscreteGradient);
     compositions!(visitor: Rattle, DiscreteGradient);

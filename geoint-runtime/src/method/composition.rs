@@ -109,9 +109,9 @@ impl<S, R> StepsBack<S, R> for () {}
 
 /// Implements [`SymmetricMap`] for maps whose compositions take one substep after the other. The bound restricts the systems `S` of compositions.
 macro_rules! substeps {
-    ($([$($generic:tt)*] $map:ty $(where $proof:ty: $systems:path)?);*) => { $(
-        impl<S, R, $($generic)*> crate::method::composition::StepsBack<S, R> for $map
-        $(where S: $systems, R: crate::scalar::Real, $proof: crate::method::composition::StepsBack<S, R>)? {}
+    ($([$($generic:tt)*] $map:ty $(where $systems:path)?);*) => { $(
+        impl<S, R: crate::scalar::Real, $($generic)*> crate::method::composition::StepsBack<S, R> for $map
+        $(where S: $systems)? {}
         impl<$($generic)*> crate::method::composition::SymmetricMap for $map {
             type Composed<const SUBSTEPS: usize> = crate::method::composition::Composed<$map, SUBSTEPS>;
             fn compose<const SUBSTEPS: usize>(

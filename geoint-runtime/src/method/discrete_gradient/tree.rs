@@ -47,7 +47,7 @@ implicit_method!(
     |_| Name::new("DiscreteGradient"),
     Claims::of_order(2).symmetric().conserving_energy()
 );
-substeps!([] DiscreteGradient where <S as SolvedBy<Self, R>>::Proof: SolvedBy<Self, R>);
+substeps!([] DiscreteGradient where SolvedBy<Self, R>);
 
 /// The tree discrete gradient in all coordinates, for methods that build on it.
 impl MeanGradient for DiscreteGradient {

@@ -68,7 +68,7 @@ fn kept(report: &mut Report<'_>, flow: &Flow, source: &Source) {
             }
             (Origin::Energy, _) if flow.dissipation.is_some() => "kept, because L is skew and M ∇E = 0".into(),
             (Origin::Energy, _) => "kept, because S is skew".into(),
-            (Origin::Entropy, _) => "never falls".into(),
+            (Origin::Entropy, _) => "rises by ∇S·M ∇S ≥ 0, because L ∇S = 0".into(),
             (Origin::Assumed, _) | (Origin::Listed, _) => "assumed".into(),
         };
         let name = if *origin == Origin::Found { String::new() } else { format!("{name} = ") };
@@ -77,6 +77,7 @@ fn kept(report: &mut Report<'_>, flow: &Flow, source: &Source) {
                 let but = if graph.reads(conserved.value).t { "; by no projection, since it reads time" } else { "" };
                 writeln!(report, "- {name}{value}: {word}{but}");
             }
+            Some(_) if *origin == Origin::Entropy => writeln!(report, "- {name}{value}: {word}"),
             Some(b) => {
                 let change = report.vector(b);
                 writeln!(report, "- {name}{value}, but for b·∇I with b = {change}: {word}");
