@@ -14,11 +14,14 @@ use std::error::Error;
 
 /// x is (place, momentum, energy of the left gas, energy of the right gas).
 #[hamiltonian(
-    structure = |i, j| match (i, j) {
-        (0, 1) => 1.0,
-        (1, 2) => x[2] / (1.5 * x[0]),
-        (1, 3) => -x[3] / (2.5 * (2.0 - x[0])),
-        _ => 0.0,
+    structure = |i, j| if i == 0 && j == 1 {
+        1.0
+    } else if i == 1 && j == 2 {
+        x[2] / (1.5 * x[0])
+    } else if i == 1 && j == 3 {
+        -x[3] / (2.5 * (2.0 - x[0]))
+    } else {
+        0.0
     },
     entropy = 1.5 * x[2].ln() + x[0].ln() + 2.5 * x[3].ln() + (2.0 - x[0]).ln(),
     friction = {

@@ -32,7 +32,8 @@ use crate::system::{Conservative, DiscreteField, Invariants, KeptBy, Span};
 ///
 /// A step solves one equation by Newton's iteration. If H = T(p) + V(q) with a quadratic T, it has half of the unknowns. If H is a quadratic polynomial that
 /// does not read time, a product with a constant inverse solves it. With a damping matrix C, J − C replaces J, and the energy changes by −h ∇̄H·C∇̄H, to
-/// rounding. In compositions with steps back in time, this balance holds for each substep. If H reads time, a step takes H at the time of its middle.
+/// rounding. In compositions with steps back in time, this balance holds for each substep. For x' = L ∇E + M ∇S the step is h (Q L Q ∇̄E + P M P ∇̄S), where Q
+/// and P are projections across ∇̄S and ∇̄E: E is kept, and for h > 0 the entropy S never falls. If H reads time, a step takes H at the time of its middle.
 ///
 /// Vector fields with first integrals keep these in place of H. Lagrangians that are solved for velocities have the step
 /// `PolarisedStep`, and systems with constraints the step `MultiplierStep`.
