@@ -287,10 +287,11 @@ impl<const N: usize> ByHand<N> {
         let mut end = *x;
         for _ in 0..300 {
             let Terms { matrices: [l, m], slopes: [e, s] } = (self.terms)(x, &end);
-            let [reversible, dissipative] = [(l, e, s, self.blocks[0]), (m, s, e, self.blocks[1])].map(|(a, u, v, block)| {
-                let u = across(u, &v, block);
-                across(core::array::from_fn(|i| (0..N).map(|j| a[i][j] * u[j]).sum()), &v, block)
-            });
+            let [reversible, dissipative] =
+                [(l, e, s, self.blocks[0]), (m, s, e, self.blocks[1])].map(|(a, u, v, block)| {
+                    let u = across(u, &v, block);
+                    across(core::array::from_fn(|i| (0..N).map(|j| a[i][j] * u[j]).sum()), &v, block)
+                });
             let next = core::array::from_fn(|i| x[i] + h * (reversible[i] + dissipative[i]));
             if distance(&next, &end) < 1e-15 {
                 return Some(next);

@@ -45,8 +45,8 @@ mod tests {
         assert!(!is_positive_semidefinite([[0.0_f32, 1e-9], [1e-9, 1.0]]));
         assert!(!is_positive_semidefinite([[-1e-30]]) && !is_positive_semidefinite([[f64::NAN]]));
         // The friction of a slow velocity v, c(1, −v)(1, −v)ᵀ.
-        let (c, v) = (0.1471, 3.1e-157);
-        assert!(is_positive_semidefinite([[c, -c * v], [-c * v, c * v * v]]));
+        let (c, v) = (0.1471, 110.0 / 37.0 * 1e-160);
+        assert!(is_positive_semidefinite([[c, -c * v], [-c * v, v * v * c]]));
         // The result is the same in any units.
         for unit in [1e-200, 1.0, 1e200] {
             let scaled = |c: [[f64; 2]; 2]| c.map(|row| row.map(|x| x * unit));

@@ -136,8 +136,20 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
     let partial = lowering.all_partial();
     let Lowering { graph, errors, places, constants, .. } = lowering;
     let (energy, friction) = (field[0], None);
-    let terms =
-        Terms { energy, field, structure, entropy, keeps, damping, force, friction, rayleigh, constraints, groups, partial };
+    let terms = Terms {
+        energy,
+        field,
+        structure,
+        entropy,
+        keeps,
+        damping,
+        force,
+        friction,
+        rayleigh,
+        constraints,
+        groups,
+        partial,
+    };
     errors.or(Lowered { graph, places, constants, terms })
 }
 

@@ -67,7 +67,8 @@ impl Options {
         let [attitude, angular_momentum] = [Role::Attitude, Role::AngularMomentum].map(span);
         let required = self.requirements.first().map(|(_, span)| *span);
         let force = self.force.as_ref().map(Spanned::span);
-        let [damping, entropy, friction] = [&self.damping, &self.entropy, &self.friction].map(|expr| expr.as_ref().map(Spanned::span));
+        let [damping, entropy, friction] =
+            [&self.damping, &self.entropy, &self.friction].map(|expr| expr.as_ref().map(Spanned::span));
         let nonconservative = damping.or(force);
         let split = self.split.as_ref().and_then(|pieces| pieces.first()).map(Spanned::span);
         let coordinates = self.coordinates.map(|(_, span)| span);
@@ -107,7 +108,8 @@ const WITHOUT_FRICTION: &str = "without friction the entropy is constant, a Casi
 const WITHOUT_ENTROPY: &str = "`friction = M` is the matrix of x' = L ∇E + M ∇S: add the function S, `entropy = S`; a matrix C that takes energy \
                                away is `damping = C`";
 
-const DAMPED_ENTROPY: &str = "with an entropy the energy is kept, and damping would take some away: write `friction = M` with M ∇E = 0 alone";
+const DAMPED_ENTROPY: &str =
+    "with an entropy the energy is kept, and damping would take some away: write `friction = M` with M ∇E = 0 alone";
 
 const CONSTRAINED: &str = "constraints are for positions and momenta whose energy is not split: leave out this, or `structure`, `attitude`, \
                            `split`, `coordinates` and `force`";

@@ -29,7 +29,10 @@ pub(super) fn step(report: &mut Report<'_>, Dissipation { step, .. }: &Dissipati
             writeln!(report, "- its {matrix} is projected across {slope} on {}", coordinates(report, block));
         }
     }
-    writeln!(report, "- compositions with steps back in time, and `FourthOrder`, do not exist: entropy may fall in them")
+    writeln!(
+        report,
+        "- compositions with steps back in time, and `FourthOrder`, do not exist: entropy may fall in them"
+    )
 }
 
 /// Lists the coordinates of a block.
