@@ -28,6 +28,7 @@
 
 use crate::method::flows::Splitting;
 use crate::method::flows::perturbed::Perturbation;
+use crate::method::proof::StepsBack;
 use crate::method::tables::total::adds_up;
 use crate::method::{Claims, Failure, Handling, Method, Name, Probe, Step};
 use crate::scalar::Real;
@@ -95,22 +96,10 @@ pub trait SymmetricMap: Copy {
     fn compose<const K: usize>(self, composition: Composition<K>) -> Self::Composed<K>;
 }
 
-/// A map whose steps obey the laws of systems `S` back in time as well. Compositions of order 4 and more have steps back in time. The proof of a method is one
-/// if it holds in both directions.
-#[diagnostic::on_unimplemented(
-    message = "entropy would fall in a composition of `DiscreteGradient` for `{S}`, because some of its steps lead back in time",
-    label = "this composition does not fit a system with an `entropy`",
-    note = "`DiscreteGradient` alone, of order 2, keeps the energy and never lowers the entropy",
-    note = "methods of higher order that keep neither exactly: `RK4`, `DOP853`, `Gauss`, `Suzuki4.of(ImplicitMidpoint)`"
-)]
-pub trait StepsBack<S, R> {}
-
-impl<S, R> StepsBack<S, R> for () {}
-
 /// Implements [`SymmetricMap`] for maps whose compositions take one substep after the other. The bound restricts the systems `S` of compositions.
 macro_rules! substeps {
     ($([$($generic:tt)*] $map:ty $(where $systems:path)?);*) => { $(
-        impl<S, R: crate::scalar::Real, $($generic)*> crate::method::composition::StepsBack<S, R> for $map
+        impl<S, R: crate::scalar::Real, $($generic)*> crate::method::proof::StepsBack<S, R> for $map
         $(where S: $systems)? {}
         impl<$($generic)*> crate::method::composition::SymmetricMap for $map {
             type Composed<const SUBSTEPS: usize> = crate::method::composition::Composed<$map, SUBSTEPS>;

@@ -4,7 +4,7 @@
 use super::driver::{Memory, Prepared};
 use super::step::ImplicitStep;
 use crate::method::Handling;
-use crate::method::composition::StepsBack;
+use crate::method::proof::StepsBack;
 use crate::scalar::Real;
 use crate::space::Array;
 use crate::system::{Invariants, PhaseSpace};
