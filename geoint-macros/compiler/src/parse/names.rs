@@ -8,7 +8,7 @@ use syn::ext::IdentExt;
 const IMPORTED: &str = "\
     MultiplierStep CanonicalStages ContactEquation ContactFieldStages ContactGaussCollocation \
     ContactStep FieldStages GaussCollocation GaussTableau ImplicitMethod Keeping PolarisedStep \
-    TreeStep VelocityStages ForwardInTime Adaptive Array Autonomous CanonicalForm BodyState Collocation ConformalContact \
+    TreeStep VelocityStages Adaptive Array Autonomous CanonicalForm BodyState Collocation ConformalContact \
     Conservative ConstrainedStep ConstrainedSystem ContactDiscreteGradient ContactMidpoint FlowPiece FlowPieces \
     PieceSplitting Placed PlanarDiscreteGradient PlanarItohAbe PlanarSplitting PolarisedForm PoissonSplitting \
     ContactSplitting VelocityStage ContactStages MassForm MixedDerivatives contact_gradient_of \

@@ -16,7 +16,9 @@ pub(super) fn solved(context: &Context<'_>, method: &str, step: &str) -> TokenSt
 /// Returns `impl ImplicitMethod` of a method with one step for the system, whose laws hold forward in time only.
 pub(super) fn solved_forward(context: &Context<'_>, method: &str, step: &str) -> TokenStream {
     let [method, step] = [method, step].map(|name| format_ident!("{name}"));
-    Solved { proof: quote!(ForwardInTime), ..Solved::by(method, quote!(#step)) }.implementation(context)
+    let runtime = &context.energy.runtime;
+    let proof = quote!(#runtime::private::ForwardInTime);
+    Solved { proof, ..Solved::by(method, quote!(#step)) }.implementation(context)
 }
 
 /// Returns `impl ImplicitMethod` of a method whose step contains it.
