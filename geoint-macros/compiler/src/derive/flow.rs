@@ -5,12 +5,12 @@ use super::domain::{Domain, Formulas};
 use super::facts::Fact;
 use super::implicit::{self, Scaled};
 use super::jet::JetKernel;
-use super::proof::Dissipation;
 use super::proof::flow::{ENERGY, Flow, Named, Origin, coordinates};
 use super::system::{Collocation, FieldKernels, Integrals, Kernels, Missing, NamedFunction, System};
 use crate::analyze::{self, Damping, MeanValue};
 use crate::compilation::Compilation;
 use crate::diff;
+use crate::diff::entropy::EntropyStep;
 use crate::diff::field::Field;
 use crate::diff::flow::{self, Conserved, Order};
 use crate::ir::{Graph, Id, Symbol, UndefinedAt};
@@ -26,7 +26,7 @@ pub(crate) fn flow(
     damping: Option<&Damping>,
 ) -> System {
     let (positions, graph) = (compilation.positions(), &mut compilation.graph);
-    let Flow { field, energy, kept, dissipation, .. } = found;
+    let Flow { field, energy, kept, entropy, .. } = found;
     let [coordinates, increments] = [Symbol::Position, Symbol::PositionIncrement]
         .map(|symbol: fn(u32) -> Symbol| (0..field.len() as u32).map(symbol).collect::<Vec<Symbol>>());
     let conserved: Vec<Conserved> = kept.iter().map(|kept| kept.conserved.clone()).collect();
@@ -34,7 +34,7 @@ pub(crate) fn flow(
     // If S and H are known and all integrals are H and Casimirs, the step S(m) ∇̄H with the midpoint m keeps them. Otherwise the mean velocity is projected, so that
     // the integrals are kept.
     let discrete = match energy {
-        _ if dissipation.is_some() => dissipation.as_ref().map(|found| found.step.field.clone()),
+        _ if entropy.is_some() => entropy.as_ref().map(|step| step.field.clone()),
         Some((energy, matrix)) if found.is_kept_by_structure() => Some(flow::structured(graph, *energy, matrix)),
         _ if conserved.is_empty() => None,
         _ => Some(flow::mean_velocity(graph, field, &conserved, Order::Two)),
@@ -49,7 +49,7 @@ pub(crate) fn flow(
         let Scaled { image, matrix } = implicit::scaled(graph, field, h);
         implicit::equation_routine("equation", image, &matrix, &dx).reading("d", &dx)
     };
-    let fourth = (!conserved.is_empty() && dissipation.is_none()).then(|| {
+    let fourth = (!conserved.is_empty() && entropy.is_none()).then(|| {
         let field = flow::mean_velocity(graph, field, &conserved, Order::Four);
         let equation = equation(graph, &field);
         implicit::iterated(vec![equation], &x)
@@ -65,8 +65,8 @@ pub(crate) fn flow(
     let quadratic = analyze::is_polynomial_in(graph, field, 2, Symbol::is_coordinate);
     let integrals = integrals(graph, kept, &dx);
     let jet = JetKernel::of_field(graph, field, energy);
-    let vanishing = match (energy, dissipation) {
-        (Some(energy), Some(found)) => vanishing(graph, energy, found),
+    let vanishing = match (energy, entropy) {
+        (Some(energy), Some(step)) => vanishing(graph, energy, step),
         _ => vec![],
     };
     let formulas = Formulas { all: &all, damping, edges: &vanishing, ..Formulas::new(&values, partial) };
@@ -86,7 +86,7 @@ pub(crate) fn flow(
         collocation: Collocation { second_order: false, kernel: Kernel::new(Levels::Prepared, stages) },
         discrete,
         nothing_kept,
-        forward: dissipation.as_ref().map(|found| Missing::new("Forward", found.entropy, FORWARD)),
+        forward: entropy.as_ref().map(|step| Missing::new("Forward", step.entropy, FORWARD)),
         canonical: None,
         fourth,
         momenta: Routine::default(),
@@ -104,10 +104,10 @@ pub(crate) fn flow(
 }
 
 /// Returns the states at which a projection of the step does not exist, because a gradient vanishes on a block.
-fn vanishing(graph: &mut Graph, energy: Id, Dissipation { entropy, step }: &Dissipation) -> Vec<Check> {
+fn vanishing(graph: &mut Graph, energy: Id, step: &EntropyStep) -> Vec<Check> {
     let mut checks = vec![];
     for (blocks, function, message) in [
-        (&step.structure, *entropy, "the entropy has no slope in coordinates that `structure` couples"),
+        (&step.structure, step.entropy, "the entropy has no slope in coordinates that `structure` couples"),
         (&step.friction, energy, "the energy has no slope in coordinates that `friction` couples"),
     ] {
         let slopes = diff::gradient(graph, function, step.field.f.len() as u32).q;

@@ -15,9 +15,11 @@ use crate::analyze::vanishes;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Ratio};
 
-/// A mean velocity, with the blocks of both matrices.
+/// The mean velocity of a step, with the blocks of both matrices.
 #[derive(Debug)]
 pub(crate) struct EntropyStep {
+    /// S.
+    pub(crate) entropy: Id,
     pub(crate) field: Field,
     pub(crate) structure: Vec<Block>,
     pub(crate) friction: Vec<Block>,
@@ -47,7 +49,7 @@ pub(crate) fn step(
     let mut velocity = vec![graph.zero(); n];
     let structure = add_part(graph, structure, &by_energy, &by_entropy, &mut velocity);
     let friction = add_part(graph, friction, &by_entropy, &by_energy, &mut velocity);
-    EntropyStep { field: Field::new(graph, increments(n), velocity), structure, friction }
+    EntropyStep { entropy, field: Field::new(graph, increments(n), velocity), structure, friction }
 }
 
 /// Adds Π Ā Π u to the velocity, where the projections Π on the blocks of A remove components along v. Returns the blocks.

@@ -95,7 +95,7 @@ pub(crate) fn parts(
         };
     };
     if damping.is_some() {
-        return none(*integral, if flow.dissipation.is_some() { FRICTION_FLOW } else { DAMPED_FLOW });
+        return none(*integral, if flow.entropy.is_some() { FRICTION_FLOW } else { DAMPED_FLOW });
     }
     let autonomous = !graph.reads(*integral).t;
     let by_terms = split::parts(graph, *integral, matrix);

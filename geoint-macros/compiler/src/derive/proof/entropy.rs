@@ -3,7 +3,6 @@
 use super::flow::{Flow, Named, Origin, coordinates};
 use crate::analyze::{self, Damping, Identity, claims};
 use crate::diff;
-use crate::diff::entropy::EntropyStep;
 use crate::diff::equations::{checked_damping, times};
 use crate::diff::flow::Conserved;
 use crate::ir::{Graph, Id};
@@ -20,13 +19,6 @@ pub(crate) struct Entropy {
     pub(crate) of_structure: Result<(), (usize, Identity)>,
     /// Ok if M ∇E = 0. Errors: the first row that is not zero, and the result of the test.
     pub(crate) of_friction: Result<(), (usize, Identity)>,
-}
-
-/// The friction of a flow x' = L ∇E + M ∇S.
-#[derive(Debug)]
-pub(crate) struct Dissipation {
-    pub(crate) entropy: Id,
-    pub(crate) step: EntropyStep,
 }
 
 /// Decides whether the entropy is a Casimir of L, and the energy one of M.
@@ -61,8 +53,7 @@ impl Flow {
         for (f, rate) in flow.field.iter_mut().zip(&rates) {
             *f = graph.add(*f, *rate);
         }
-        let step = diff::entropy::step(graph, energy, structure, entropy, &friction);
-        flow.dissipation = Some(Dissipation { entropy, step });
+        flow.entropy = Some(diff::entropy::step(graph, energy, structure, entropy, &friction));
         let conserved = Conserved { value: entropy, but: Some(rates) };
         flow.kept.push(Named { name: "entropy".into(), conserved, origin: Origin::Entropy });
         flow

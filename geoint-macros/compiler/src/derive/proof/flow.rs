@@ -1,8 +1,9 @@
 //! A flow x' = f(x, t), or the flow x' = S(x) ∇H of an energy, with the functions that it keeps.
 
-use super::{Dissipation, Structure};
+use super::Structure;
 use crate::analyze::{Damping, claims, search};
 use crate::diff;
+use crate::diff::entropy::EntropyStep;
 use crate::diff::equations::{checked_damping, structured, times};
 use crate::diff::flow::Conserved;
 use crate::ir::{
@@ -26,8 +27,8 @@ pub(crate) struct Flow {
     pub(crate) energy: Option<(Id, Vec<Vec<Id>>)>,
     /// The damping −C ∇H in the field.
     loss: Option<Vec<Id>>,
-    /// The friction of x' = L ∇E + M ∇S.
-    pub(crate) dissipation: Option<Dissipation>,
+    /// The entropy S of x' = L ∇E + M ∇S, with the step.
+    pub(crate) entropy: Option<EntropyStep>,
     /// Functions that steps keep, or whose change is known.
     pub(crate) kept: Vec<Named>,
     /// Constant functions that steps do not keep.
@@ -79,7 +80,7 @@ impl Flow {
             field: field.to_vec(),
             energy: None,
             loss: None,
-            dissipation: None,
+            entropy: None,
             kept: keeps.map(named).collect(),
             also: vec![],
             divergent: None,
@@ -111,7 +112,7 @@ impl Flow {
             field,
             energy: Some((energy, matrix)),
             loss,
-            dissipation: None,
+            entropy: None,
             kept,
             also: vec![],
             divergent: None,
@@ -167,7 +168,7 @@ impl Flow {
         Structure { matrix: rows, casimir: written, .. }: &Structure,
         names: &dyn Naming,
     ) {
-        if self.dissipation.is_some() {
+        if self.entropy.is_some() {
             return;
         }
         let x = coordinates(self.field.len());

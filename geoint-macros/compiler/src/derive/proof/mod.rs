@@ -9,7 +9,7 @@ use crate::analyze::{Identity, claims};
 use crate::diff;
 use crate::ir::{Graph, Id};
 use crate::lower::Skew;
-pub(crate) use entropy::{Dissipation, Entropy, entropy};
+pub(crate) use entropy::{Entropy, entropy};
 use flow::{Flow, Named, coordinates};
 
 /// Proofs about the integrals that the user lists.

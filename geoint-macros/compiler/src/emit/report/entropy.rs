@@ -1,17 +1,11 @@
-//! Reports x' = L ∇E + M ∇S: the energy, the entropy, friction, and the laws of a step.
+//! Reports x' = L ∇E + M ∇S: friction, and the laws of the flow and of a step.
 
 use super::Report;
-use crate::derive::proof::Dissipation;
-use crate::diff::entropy::Block;
-use crate::ir::{Id, Symbol};
-
-/// Writes E and S.
-pub(super) fn functions(report: &mut Report<'_>, energy: Id, found: &Dissipation) {
-    writeln!(report, "E = {}\nS = {}", report.formula(energy), report.formula(found.entropy));
-}
+use crate::diff::entropy::{Block, EntropyStep};
+use crate::ir::Symbol;
 
 /// Writes the blocks of M, and the laws of the flow.
-pub(super) fn friction(report: &mut Report<'_>, Dissipation { step, .. }: &Dissipation) {
+pub(super) fn friction(report: &mut Report<'_>, step: &EntropyStep) {
     for block in &step.friction {
         writeln!(report, "- M acts on {}", coordinates(report, block));
     }
@@ -19,7 +13,7 @@ pub(super) fn friction(report: &mut Report<'_>, Dissipation { step, .. }: &Dissi
 }
 
 /// Writes the laws of a step, and the projections that it needs for them.
-pub(super) fn step(report: &mut Report<'_>, Dissipation { step, .. }: &Dissipation) {
+pub(super) fn step(report: &mut Report<'_>, step: &EntropyStep) {
     writeln!(
         report,
         "- `DiscreteGradient` keeps an energy without time, and adds h ∇̄S·M ∇̄S ≥ 0 to the entropy for h > 0, both to rounding"

@@ -15,7 +15,7 @@ pub(super) fn report(report: &mut Report<'_>, flow: &Flow, source: &Source, syst
     }
     equations(report, flow);
     match source {
-        Source::Structure(given) => structure::given(report, given, flow.dissipation.as_ref()),
+        Source::Structure(given) => structure::given(report, given, flow.entropy.as_ref()),
         Source::Field(findings) => field::report(report, findings),
         Source::Lagrangian(found) => structure::of_lagrangian(report, found),
     }
@@ -35,8 +35,8 @@ fn split_by<'a>(flow: &'a Flow, source: &Source) -> &'a str {
 /// Writes H, if the user gave an energy, and x' = f(x, t).
 fn equations(report: &mut Report<'_>, flow: &Flow) {
     if let Some((energy, _)) = flow.energy.as_ref().filter(|_| flow.form == Form::Structured) {
-        match &flow.dissipation {
-            Some(found) => entropy::functions(report, *energy, found),
+        match &flow.entropy {
+            Some(step) => writeln!(report, "E = {}\nS = {}", report.formula(*energy), report.formula(step.entropy)),
             None => writeln!(report, "H = {}", report.formula(*energy)),
         }
     }
@@ -66,7 +66,7 @@ fn kept(report: &mut Report<'_>, flow: &Flow, source: &Source) {
             (Origin::Energy, Source::Field(_)) => {
                 format!("kept, the energy of the field{}", turns(graph, conserved.value))
             }
-            (Origin::Energy, _) if flow.dissipation.is_some() => "kept, because L is skew and M ∇E = 0".into(),
+            (Origin::Energy, _) if flow.entropy.is_some() => "kept, because L is skew and M ∇E = 0".into(),
             (Origin::Energy, _) => "kept, because S is skew".into(),
             (Origin::Entropy, _) => "rises by ∇S·M ∇S ≥ 0, because L ∇S = 0".into(),
             (Origin::Assumed, _) | (Origin::Listed, _) => "assumed".into(),
@@ -140,8 +140,8 @@ fn kept_by_steps(report: &mut Report<'_>, flow: &Flow) {
     let assumed = names(|named| named.conserved.but.is_none() && named.origin == Origin::Assumed);
     let changed = names(|named| named.conserved.but.is_some());
     let methods = "`DiscreteGradient` and `FourthOrder`";
-    if let Some(found) = &flow.dissipation {
-        entropy::step(report, found);
+    if let Some(step) = &flow.entropy {
+        entropy::step(report, step);
     } else if flow.form == Form::Field {
         if !kept.is_empty() {
             writeln!(report, "- {methods} keep {kept}, to rounding");

@@ -3,14 +3,15 @@
 use super::{Report, entropy};
 use crate::analyze::Identity;
 use crate::derive::Parted;
-use crate::derive::proof::{Dissipation, Structure};
+use crate::derive::proof::Structure;
+use crate::diff::entropy::EntropyStep;
 use crate::ir::{Id, Symbol};
 use crate::legendre::FirstOrder;
 
 /// Reports a matrix S of the user, or the matrices L and M of a system with an entropy.
-pub(super) fn given(report: &mut Report<'_>, structure: &Structure, dissipation: Option<&Dissipation>) {
+pub(super) fn given(report: &mut Report<'_>, structure: &Structure, step: Option<&EntropyStep>) {
     writeln!(report, "\nStructure");
-    let equation = match dissipation {
+    let equation = match step {
         Some(_) => "x' = L ∇E + M ∇S with skew L, and with symmetric M ≥ 0",
         None => "x' = S ∇H with skew S",
     };
@@ -24,7 +25,7 @@ pub(super) fn given(report: &mut Report<'_>, structure: &Structure, dissipation:
             writeln!(report, "- {word} a Poisson structure: in Jacobi's identity indices ({i}, {j}, {k}){rest}")
         }
     }
-    dissipation.iter().for_each(|found| entropy::friction(report, found));
+    step.iter().for_each(|step| entropy::friction(report, step));
 }
 
 /// Reports a matrix S that was found for a field and its integral I.
