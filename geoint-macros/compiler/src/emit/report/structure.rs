@@ -12,7 +12,9 @@ use crate::legendre::FirstOrder;
 pub(super) fn given(report: &mut Report<'_>, structure: &Structure, step: Option<&EntropyStep>) {
     writeln!(report, "\nStructure");
     let equation = match step {
-        Some(_) => "x' = L ∇E + M ∇S with skew L, and with symmetric M ≥ 0",
+        Some(_) => {
+            "x' = L ∇E + M ∇S with skew L and symmetric M; a state at which M is not positive semidefinite is refused"
+        }
         None => "x' = S ∇H with skew S",
     };
     writeln!(report, "- {equation}");
