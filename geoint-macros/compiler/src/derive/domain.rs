@@ -13,8 +13,8 @@ use std::collections::{BTreeSet, HashSet};
 pub(crate) struct Domain {
     /// Conditions at a point. A state for which one of them holds is outside the domain.
     pub(crate) checks: Vec<Check>,
-    /// The outputs `arguments` of all checks, `enough` of the checks that have [`Check::enough`], and the matrix `damping` or `friction` if it is not proven to be
-    /// positive semidefinite.
+    /// The outputs `arguments` of all checks, `enough` of the checks that have [`Check::enough`], and the matrix `damping` or `friction` if it is not
+    /// proven to be positive semidefinite.
     pub(crate) arguments: Routine,
     /// Points at which the energy has a value, but no second derivative. The runtime names them if it refuses a step there.
     pub(crate) edges: Edges,

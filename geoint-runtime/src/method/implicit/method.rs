@@ -49,8 +49,8 @@ impl<M: ImplicitMethod<S, R>, S: PhaseSpace<R>, R: Real> SteppedBy<M, R> for S {
     }
 }
 
-/// A system for which `M` is an [`ImplicitMethod`] in both directions of time, so that compositions of `M` fit it, too. All these systems implement it. It states
-/// `M: ImplicitMethod<S>` as a bound of `S`, so that it can be a supertrait.
+/// A system for which `M` is an [`ImplicitMethod`] in both directions of time, so that compositions of `M` fit it, too. All these systems implement it. It
+/// states `M: ImplicitMethod<S>` as a bound of `S`, so that it can be a supertrait.
 pub trait SolvedBy<M, R: Real = f64>: SteppedBy<M, R> {}
 
 impl<M, S: SteppedBy<M, R, Proof: StepsBack<S, R>>, R: Real> SolvedBy<M, R> for S {}

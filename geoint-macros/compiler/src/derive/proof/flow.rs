@@ -160,8 +160,8 @@ impl Flow {
         }
     }
 
-    /// Adds Casimirs, which are constant along the rows of S. One of them may be the function from which S was built. Damping changes them as it changes H. In a
-    /// system with an entropy, [`search`](Self::search) finds the functions that friction keeps, too.
+    /// Adds Casimirs, which are constant along the rows of S. One of them may be the function from which S was built. Damping changes them as it changes H.
+    /// In a system with an entropy, [`search`](Self::search) finds the functions that friction keeps, too.
     pub(crate) fn search_casimirs(
         &mut self,
         graph: &mut Graph,
