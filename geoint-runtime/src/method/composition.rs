@@ -28,7 +28,7 @@
 
 use crate::method::flows::Splitting;
 use crate::method::flows::perturbed::Perturbation;
-use crate::method::proof::StepsBack;
+pub use crate::method::proof::StepsBack;
 use crate::method::tables::total::adds_up;
 use crate::method::{Claims, Failure, Handling, Method, Name, Probe, Step};
 use crate::scalar::Real;
