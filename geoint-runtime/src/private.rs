@@ -23,7 +23,7 @@ pub use crate::method::gauss::solved::SolvedByGauss;
 pub use crate::method::gauss::tableau::GaussTableau;
 pub use crate::method::gauss::velocities::VelocityStages;
 pub use crate::method::implicit::ImplicitMethod;
-pub use crate::method::proof::Given;
+pub use crate::method::proof::{ForwardInTime, Given};
 pub use crate::method::{gradient_kick, modified_verlet};
 pub use crate::running::{Adaptive, Integrator, StepError, TaylorIntegrator, state_on_constraint};
 pub use crate::scalar::Real;

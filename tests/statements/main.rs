@@ -6,6 +6,7 @@
 
 mod derivative;
 mod energy_method;
+mod entropy;
 mod factors;
 mod fields;
 mod herglotz;

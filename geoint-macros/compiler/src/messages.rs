@@ -32,6 +32,12 @@ pub(crate) const NOTHING_KEPT: &str = "nothing was named that this field keeps, 
 pub(crate) const DAMPED_FLOW: &str =
     "damping is no part of these pieces; use `DiscreteGradient`, `ImplicitMidpoint` or `Gauss`";
 
+pub(crate) const FRICTION_FLOW: &str =
+    "friction is no part of these pieces; use `DiscreteGradient`, which keeps the energy and never lowers the entropy";
+
+pub(crate) const FORWARD: &str = "a step of order 4 may lower the entropy; use `DiscreteGradient` of order 2, or `RK4`, `DOP853` and `Gauss`, which keep \
+                                  neither law exactly";
+
 pub(crate) const NOT_MECHANICAL: &str = "this term is no part of T(p) + g·s + V(q), so kick and drift do not exist; use \
                                          `ContactSplitting`, `ContactMidpoint` or `ContactDiscreteGradient`";
 

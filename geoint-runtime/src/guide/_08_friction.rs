@@ -94,8 +94,8 @@
 //! ```
 //!
 //! # Heat as a coordinate, without noise
-//! A [`vector_field`](macro@crate::vector_field) with the heat as a coordinate keeps the total energy. (In the example `heat_bath`, the entropy
-//! decreases in no step. There [`lift`](macro@crate::contact_hamiltonian) gives any x' = X(x) to `ContactSplitting`.)
+//! A [`vector_field`](macro@crate::vector_field) with the heat as a coordinate keeps the total energy. With [`entropy`](macro@crate::hamiltonian) S, steps of
+//! `DiscreteGradient` never lower S: example `piston`. In `heat_bath`, [`lift`](macro@crate::contact_hamiltonian) gives x' = X(x) to `ContactSplitting`.
 //!
 //! ```
 //! # use geoint_runtime::prelude::*;

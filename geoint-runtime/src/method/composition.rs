@@ -28,6 +28,7 @@
 
 use crate::method::flows::Splitting;
 use crate::method::flows::perturbed::Perturbation;
+pub use crate::method::proof::StepsBack;
 use crate::method::tables::total::adds_up;
 use crate::method::{Claims, Failure, Handling, Method, Name, Probe, Step};
 use crate::scalar::Real;
@@ -95,9 +96,11 @@ pub trait SymmetricMap: Copy {
     fn compose<const K: usize>(self, composition: Composition<K>) -> Self::Composed<K>;
 }
 
-/// Implements [`SymmetricMap`] for maps whose compositions take one substep after the other.
+/// Implements [`SymmetricMap`] for maps whose compositions take one substep after the other. The bound restricts the systems `S` of compositions.
 macro_rules! substeps {
-    ($([$($generic:tt)*] $map:ty);*) => { $(
+    ($([$($generic:tt)*] $map:ty $(where $systems:path)?);*) => { $(
+        impl<S, R: crate::scalar::Real, $($generic)*> crate::method::proof::StepsBack<S, R> for $map
+        $(where S: $systems)? {}
         impl<$($generic)*> crate::method::composition::SymmetricMap for $map {
             type Composed<const SUBSTEPS: usize> = crate::method::composition::Composed<$map, SUBSTEPS>;
             fn compose<const SUBSTEPS: usize>(
@@ -141,7 +144,7 @@ pub struct Composed<M, const K: usize> {
     pub(crate) composition: Composition<K>,
 }
 
-impl<S: PhaseSpace<R>, R: Real, M: Method<S, R>, const K: usize> Method<S, R> for Composed<M, K> {
+impl<S: PhaseSpace<R>, R: Real, M: Method<S, R> + StepsBack<S, R>, const K: usize> Method<S, R> for Composed<M, K> {
     type Proof = M::Proof;
     type Prepared = [Substep<M::Prepared, R>; K];
     /// One memory for each substep: increments are extrapolated from those of the same substep in earlier steps. Do not share one memory. Substeps

@@ -15,11 +15,11 @@ pub fn not_negative<R: Real>(x: R) -> R {
     if x.any_below(0.0) { R::from_f64(f64::NAN) } else { x }
 }
 
-/// Returns x, or NaN if x² exceeds y by more than rounding. A NaN in y is not detected.
+/// Returns x, or NaN if x² exceeds y by more than rounding. Squares below the smallest normal number have no digits to compare. A NaN in y is not detected.
 #[inline(always)]
 pub fn bounded<R: Real>(x: R, y: R) -> R {
     let margin = R::from_f64(1.0 + 8.0 * R::epsilon());
-    if (y * margin - x * x).any_below(0.0) { R::from_f64(f64::NAN) } else { x }
+    if (y * margin + R::from_f64(R::smallest()) - x * x).any_below(0.0) { R::from_f64(f64::NAN) } else { x }
 }
 
 /// Returns x, or NaN if y is negative. A NaN in y is not detected.

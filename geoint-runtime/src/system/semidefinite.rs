@@ -12,7 +12,8 @@ pub fn is_positive_semidefinite<R: Real, const N: usize>(mut c: [[R; N]; N]) -> 
         row[k] *= margin;
     }
     for k in 0..N {
-        if !c[k][k].all_at_least_zero() {
+        // Products below the smallest normal number are rounded without regard to their size.
+        if !(c[k][k] + R::from_f64(R::smallest())).all_at_least_zero() {
             return false;
         }
         // A pivot that is zero, or subnormal, requires zeros below it.
@@ -43,6 +44,9 @@ mod tests {
         assert!(!is_positive_semidefinite([[0.0, 1e-9], [1e-9, 1.0]]));
         assert!(!is_positive_semidefinite([[0.0_f32, 1e-9], [1e-9, 1.0]]));
         assert!(!is_positive_semidefinite([[-1e-30]]) && !is_positive_semidefinite([[f64::NAN]]));
+        // The friction of a slow velocity v, c(1, −v)(1, −v)ᵀ.
+        let (c, v) = (0.1471, 110.0 / 37.0 * 1e-160);
+        assert!(is_positive_semidefinite([[c, -c * v], [-c * v, v * v * c]]));
         // The result is the same in any units.
         for unit in [1e-200, 1.0, 1e200] {
             let scaled = |c: [[f64; 2]; 2]| c.map(|row| row.map(|x| x * unit));

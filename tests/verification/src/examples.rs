@@ -86,6 +86,11 @@ const EXAMPLES: &[(&str, &str, &str)] = &[
     ("contact_thermostat", "1/H = 1/H₀ + k t", "A. Bravetti & D. Tapias, Phys. Rev. E 93 (2016) 022139"),
     ("gradient_flow", "heights that fall at any step", ""),
     ("heat_bath", "total energy is kept, entropy grows", "M. Grmela & H. C. Öttinger, Phys. Rev. E 56 (1997) 6620"),
+    (
+        "piston",
+        "energy is kept, entropy falls in no step; a state at t = 10",
+        "M. Grmela & H. C. Öttinger, Phys. Rev. E 56 (1997) 6620",
+    ),
     ("charged_particle", "drift velocity, against an integral over the gyration angle", ""),
     ("bottle", "height of reflection from the magnetic moment", ""),
     (

@@ -1,10 +1,12 @@
-//! The damping matrix C of p' = −∂H/∂q − C ∂H/∂p, as far as it is known at compile time.
+//! The damping matrix C of p' = −∂H/∂q − C ∂H/∂p, or the friction M of x' = L ∇E + M ∇S, as far as it is known at compile time.
 
 use crate::ir::{Graph, Id, Number, Ratio, Reads};
 
 /// A damping matrix with an entry that is not zero.
 #[derive(Debug)]
 pub(crate) struct Damping {
+    /// The name of the argument, `damping` or `friction`.
+    pub(crate) name: &'static str,
     /// The rows of C.
     pub(crate) matrix: Vec<Vec<Id>>,
     /// The kinds of coordinates that entries read.
@@ -41,7 +43,7 @@ impl Damping {
         let open = !diagonal && semidefinite.is_none();
         let indefinite = (semidefinite == Some(false)).then_some(Flaw::Indefinite);
         let flaw = flaw_of_entry(graph, &matrix).or(indefinite);
-        Some(Damping { matrix, reads, diagonal, open, flaw })
+        Some(Damping { name: "damping", matrix, reads, diagonal, open, flaw })
     }
 
     /// Returns the diagonal entries whose signs are not known.

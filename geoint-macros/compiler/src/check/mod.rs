@@ -3,6 +3,7 @@
 mod angles;
 mod constraints;
 mod damping;
+mod entropy;
 mod first_order;
 mod lagrangian;
 mod pieces;
@@ -11,6 +12,7 @@ pub(crate) mod wording;
 
 pub(crate) use angles::of_energy as angles;
 pub(crate) use constraints::constraints;
+pub(crate) use entropy::entropy;
 pub(crate) use first_order::first_order;
 pub(crate) use lagrangian::{forced_action, lagrangian, velocities};
 pub(crate) use pieces::{division, pieces};

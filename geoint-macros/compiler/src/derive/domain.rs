@@ -13,8 +13,8 @@ use std::collections::{BTreeSet, HashSet};
 pub(crate) struct Domain {
     /// Conditions at a point. A state for which one of them holds is outside the domain.
     pub(crate) checks: Vec<Check>,
-    /// The outputs `arguments` of all checks, `enough` of the checks that have [`Check::enough`], and the matrix `damping` if it is not proven to be
-    /// positive semidefinite.
+    /// The outputs `arguments` of all checks, `enough` of the checks that have [`Check::enough`], and the matrix `damping` or `friction` if it is not
+    /// proven to be positive semidefinite.
     pub(crate) arguments: Routine,
     /// Points at which the energy has a value, but no second derivative. The runtime names them if it refuses a step there.
     pub(crate) edges: Edges,
@@ -47,6 +47,8 @@ pub(super) struct Formulas<'a> {
     /// Expressions of the user that are not defined everywhere.
     pub(super) partial: &'a [UndefinedAt],
     pub(super) damping: Option<&'a Damping>,
+    /// Further states at which a step does not exist although the energy has a value.
+    pub(super) edges: &'a [Check],
     /// Rates, which may contain friction that is not linear in the velocities.
     pub(super) rates: &'a [Id],
 }
@@ -54,14 +56,14 @@ pub(super) struct Formulas<'a> {
 impl<'a> Formulas<'a> {
     /// Formulas with discrete gradients, and without friction.
     pub(super) fn new(formulas: &'a [Id], partial: &'a [UndefinedAt]) -> Formulas<'a> {
-        Formulas { all: formulas, divided: formulas, partial, damping: None, rates: &[] }
+        Formulas { all: formulas, divided: formulas, partial, damping: None, edges: &[], rates: &[] }
     }
 }
 
 impl Domain {
     /// Derives the tests of the domain from the formulas of a system.
     pub(super) fn of(graph: &mut Graph, form: Form, formulas: Formulas<'_>) -> Domain {
-        let Formulas { all, divided, partial, damping, rates } = formulas;
+        let Formulas { all, divided, partial, damping, edges, rates } = formulas;
         let mut checks: Vec<Check> = partial.iter().flat_map(|partial| checks_where(graph, partial)).collect();
         // A contact flow may start where a function of time alone is singular. Its pieces check the time themselves.
         if form.has_action() {
@@ -73,7 +75,8 @@ impl Domain {
         checks.extend(powers.into_iter().map(feeding));
         let mut matrix = vec![];
         if let Some(damping) = damping {
-            let negative = |entry| Check::new(entry, Sign::Negative, "damping that is negative", entry);
+            let message = format!("{} that is negative", damping.name);
+            let negative = |entry| Check::new(entry, Sign::Negative, message.clone(), entry);
             checks.extend(damping.open_diagonal(graph).into_iter().map(negative));
             matrix = damping.open_matrix();
         }
@@ -86,12 +89,12 @@ impl Domain {
         let arguments = vec![
             Output::row("arguments", arguments),
             Output::row("enough", enough),
-            Output::array("damping", &[size, size], matrix),
+            Output::array(damping.map_or("damping", |damping| damping.name), &[size, size], matrix),
         ];
         Domain {
             arguments: Routine::new("outside_domain", arguments),
             checks,
-            edges: Edges::of(graph, all),
+            edges: Edges::of(graph, all, edges),
             powers: Edges::powers(graph, all),
             examined: is_examined(graph, all, partial),
             poles: Poles::of(graph, divided, partial),
@@ -120,9 +123,10 @@ impl Domain {
 }
 
 impl Edges {
-    /// Edges of the nodes that are computed at every point. Nodes below a condition are left out, because the condition may avoid their edges.
-    fn of(graph: &mut Graph, roots: &[Id]) -> Edges {
-        let (mut open, mut seen, mut checks) = (roots.to_vec(), HashSet::new(), vec![]);
+    /// Edges of the nodes that are computed at every point, after the given ones. Nodes below a condition are left out, because the condition may avoid their
+    /// edges.
+    fn of(graph: &mut Graph, roots: &[Id], given: &[Check]) -> Edges {
+        let (mut open, mut seen, mut checks) = (roots.to_vec(), HashSet::new(), given.to_vec());
         while let Some(id) = open.pop() {
             if seen.insert(id) && !matches!(graph.node(id), Node::Select(..)) {
                 graph.node(id).for_each_child(|id| open.push(id));

@@ -1,5 +1,6 @@
 //! Routines of a flow x' = f(x, t), and of the flow x' = S(x) ∇H of an energy.
 
+use super::checks::{Check, Sign};
 use super::domain::{Domain, Formulas};
 use super::facts::Fact;
 use super::implicit::{self, Scaled};
@@ -9,10 +10,11 @@ use super::system::{Collocation, FieldKernels, Integrals, Kernels, Missing, Name
 use crate::analyze::{self, Damping, MeanValue};
 use crate::compilation::Compilation;
 use crate::diff;
+use crate::diff::entropy::EntropyStep;
 use crate::diff::field::Field;
 use crate::diff::flow::{self, Conserved, Order};
 use crate::ir::{Graph, Id, Symbol, UndefinedAt};
-use crate::messages::NOTHING_KEPT;
+use crate::messages::{FORWARD, NOTHING_KEPT};
 use crate::schedule::{Kernel, Levels, Routine, Space};
 
 /// Derives the routines of every method but those of pieces, which the fronts add. `partial` lists the nodes that are undefined at some states. `damping` is
@@ -24,7 +26,7 @@ pub(crate) fn flow(
     damping: Option<&Damping>,
 ) -> System {
     let (positions, graph) = (compilation.positions(), &mut compilation.graph);
-    let Flow { field, energy, kept, .. } = found;
+    let Flow { field, energy, kept, entropy, .. } = found;
     let [coordinates, increments] = [Symbol::Position, Symbol::PositionIncrement]
         .map(|symbol: fn(u32) -> Symbol| (0..field.len() as u32).map(symbol).collect::<Vec<Symbol>>());
     let conserved: Vec<Conserved> = kept.iter().map(|kept| kept.conserved.clone()).collect();
@@ -32,6 +34,7 @@ pub(crate) fn flow(
     // If S and H are known and all integrals are H and Casimirs, the step S(m) ∇̄H with the midpoint m keeps them. Otherwise the mean velocity is projected, so that
     // the integrals are kept.
     let discrete = match energy {
+        _ if entropy.is_some() => entropy.as_ref().map(|step| step.field.clone()),
         Some((energy, matrix)) if found.is_kept_by_structure() => Some(flow::structured(graph, *energy, matrix)),
         _ if conserved.is_empty() => None,
         _ => Some(flow::mean_velocity(graph, field, &conserved, Order::Two)),
@@ -46,7 +49,7 @@ pub(crate) fn flow(
         let Scaled { image, matrix } = implicit::scaled(graph, field, h);
         implicit::equation_routine("equation", image, &matrix, &dx).reading("d", &dx)
     };
-    let fourth = (!conserved.is_empty()).then(|| {
+    let fourth = (!conserved.is_empty() && entropy.is_none()).then(|| {
         let field = flow::mean_velocity(graph, field, &conserved, Order::Four);
         let equation = equation(graph, &field);
         implicit::iterated(vec![equation], &x)
@@ -62,7 +65,11 @@ pub(crate) fn flow(
     let quadratic = analyze::is_polynomial_in(graph, field, 2, Symbol::is_coordinate);
     let integrals = integrals(graph, kept, &dx);
     let jet = JetKernel::of_field(graph, field, energy);
-    let formulas = Formulas { all: &all, damping, ..Formulas::new(&values, partial) };
+    let vanishing = match (energy, entropy) {
+        (Some(energy), Some(step)) => vanishing(graph, energy, step),
+        _ => vec![],
+    };
+    let formulas = Formulas { all: &all, damping, edges: &vanishing, ..Formulas::new(&values, partial) };
     let domain = Domain::of(graph, compilation.form, formulas);
     let stages = vec![implicit::field_routine("field", &collocation, &x).reading("y", &x)];
     let discrete = discrete.map(|found| {
@@ -79,6 +86,7 @@ pub(crate) fn flow(
         collocation: Collocation { second_order: false, kernel: Kernel::new(Levels::Prepared, stages) },
         discrete,
         nothing_kept,
+        forward: entropy.as_ref().map(|step| Missing::new("Forward", step.entropy, FORWARD)),
         canonical: None,
         fourth,
         momenta: Routine::default(),
@@ -93,6 +101,23 @@ pub(crate) fn flow(
         jet,
         ..System::new(Kernels::Field(Box::new(kernels)), domain)
     }
+}
+
+/// Returns the states at which a projection of the step does not exist, because a gradient vanishes on a block.
+fn vanishing(graph: &mut Graph, energy: Id, step: &EntropyStep) -> Vec<Check> {
+    let mut checks = vec![];
+    for (blocks, function, message) in [
+        (&step.structure, step.entropy, "the entropy has no slope in coordinates that `structure` couples"),
+        (&step.friction, energy, "the energy has no slope in coordinates that `friction` couples"),
+    ] {
+        let slopes = diff::gradient(graph, function, step.field.f.len() as u32).q;
+        for block in blocks.iter().filter(|block| block.projected) {
+            let of_block: Vec<Id> = block.coordinates.iter().map(|i| slopes[*i]).collect();
+            let size = diff::entropy::sum_of_sizes(graph, &of_block);
+            checks.push(Check::new(size, Sign::Zero, message, function));
+        }
+    }
+    checks
 }
 
 /// Derives the routines of the functions that a flow keeps, or changes at a known rate. `increments` are the increments of x.

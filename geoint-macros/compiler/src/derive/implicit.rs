@@ -64,6 +64,7 @@ impl Fields {
             },
             discrete: Some(iterated(steps, &coordinates)),
             nothing_kept: None,
+            forward: None,
             canonical: None,
             fourth: None,
             momenta: momenta(graph, structure, positions),

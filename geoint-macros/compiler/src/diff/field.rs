@@ -12,7 +12,7 @@ use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Symbol};
 
 /// A right-hand side f and its derivative.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Field {
     /// The coordinates y, or their increments during a step if f consists of divided differences.
     pub(crate) unknowns: Vec<Symbol>,

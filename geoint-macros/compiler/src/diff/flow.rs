@@ -46,7 +46,8 @@ pub(crate) fn mean_velocity(graph: &mut Graph, f: &[Id], kept: &[Conserved], ord
     Field { unknowns, f, jacobian }
 }
 
-fn increments(n: usize) -> Vec<Symbol> {
+/// Returns the symbols of the increments of x.
+pub(super) fn increments(n: usize) -> Vec<Symbol> {
     (0..n as u32).map(Symbol::PositionIncrement).collect()
 }
 
@@ -224,7 +225,7 @@ impl Projector {
 }
 
 /// number/size, as a call. A product would be taken apart when it is squared.
-fn scaled(graph: &mut Graph, number: Id, size: Id) -> Id {
+pub(super) fn scaled(graph: &mut Graph, number: Id, size: Id) -> Id {
     if graph.is_zero(number) { number } else { graph.call(Function::Scaled, &[number, size]) }
 }
 
@@ -246,7 +247,7 @@ pub(crate) fn structured(graph: &mut Graph, energy: Id, matrix: &[Vec<Id>]) -> F
 }
 
 /// Rewrites slopes 2x + d of squares as 2(x + d/2). The entries of S read the mean x + d/2, too.
-fn in_means(graph: &mut Graph, slopes: &[Id]) -> Vec<Id> {
+pub(super) fn in_means(graph: &mut Graph, slopes: &[Id]) -> Vec<Id> {
     let mut means = Substitution::new(|_: &mut Graph, _| None);
     for i in 0..slopes.len() as u32 {
         let [x, d] = [Symbol::Position(i), Symbol::PositionIncrement(i)].map(|symbol| graph.symbol(symbol));

@@ -5,8 +5,8 @@
 //! - Gradients and discrete gradients: `gradient`. One reverse sweep (`sweep`) computes all entries of either kind; only the rules differ.
 //! - Kicks with a force gradient: `force_gradient`.
 //! - Equations of motion of every form: `equations`.
-//! - Equations of implicit steps, built from both kinds: `field` for (q, p), `flow` for x' = f(x), `contact`, `constraint`, and `lagrangian` for
-//!   velocities.
+//! - Equations of implicit steps, built from both kinds: `field` for (q, p), `flow` for x' = f(x), `entropy` for x' = L ∇E + M ∇S, `contact`, `constraint`,
+//!   and `lagrangian` for velocities.
 //! - The energy H + h²H₂ that a symmetric splitting of order 2 keeps with an error of O(h⁴): `modified`.
 //! - Forces as functions of (q, v) in place of (q, p): `by_velocities`.
 //! - Recurrences of Taylor coefficients: `jet`.
@@ -24,6 +24,7 @@ mod force_gradient;
 pub(crate) mod equations;
 pub(crate) mod field;
 pub(crate) mod flow;
+pub(crate) mod entropy;
 pub(crate) mod contact;
 pub(crate) mod constraint;
 pub(crate) mod lagrangian;

@@ -101,7 +101,8 @@ fn powers(context: &Context<'_>, Edges { checks, arguments }: &Edges) -> TokenSt
     })
 }
 
-/// Returns the statements that return the first violated condition. They read the outputs `arguments`, `enough` and `damping` of a routine.
+/// Returns the statements that return the first violated condition. They read the outputs `arguments`, `enough`, and the matrix `damping` or `friction` of a
+/// routine.
 fn first_of(context: &Context<'_>, checks: &[Check], arguments: &Routine) -> TokenStream {
     let printer = context.printer();
     context.outputs(arguments, |outputs| {
@@ -119,16 +120,16 @@ fn first_of(context: &Context<'_>, checks: &[Check], arguments: &Routine) -> Tok
             quote!(if #enough #value #test { return ::core::option::Option::Some(#message); })
         });
         let tests: Vec<TokenStream> = tests.collect();
-        let damping = named("damping").map(matrix_test);
+        let damping = named("damping").or(named("friction")).map(matrix_test);
         quote!(#(#tests)* #damping ::core::option::Option::None)
     })
 }
 
-/// Returns the statement that tests whether a damping matrix is positive semidefinite, unless the compiler has proven it.
+/// Returns the statement that tests whether a matrix of damping or friction is positive semidefinite, unless the compiler has proven it.
 fn matrix_test(matrix: &Values<'_>) -> TokenStream {
     if matrix.all.is_empty() {
         return TokenStream::new();
     }
-    let (matrix, message) = (matrix.listed(), "damping that is not positive semidefinite");
+    let (message, matrix) = (format!("{} that is not positive semidefinite", matrix.output.name), matrix.listed());
     quote!(if !is_positive_semidefinite(#matrix) { return ::core::option::Option::Some(#message); })
 }

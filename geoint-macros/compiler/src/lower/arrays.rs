@@ -61,8 +61,9 @@ impl Lowering {
         entries
     }
 
-    /// Returns the square matrix of `damping = expr`. The expression is one coefficient, one for each coordinate, or a matrix. Empty after an error.
-    pub(super) fn damping(&mut self, expr: &Expr, coordinates: &Shape) -> Vec<Vec<Id>> {
+    /// Returns the square matrix of an argument such as `damping = expr`. The expression is one coefficient, one for each coordinate, or a matrix. Empty after
+    /// an error.
+    pub(super) fn coefficients(&mut self, argument: &str, expr: &Expr, coordinates: &Shape) -> Vec<Vec<Id>> {
         let n = coordinates.len();
         let Some(numbers) = self.numbers_of(expr) else { return vec![] };
         let coefficients = match numbers.extents.as_deref() {
@@ -78,7 +79,7 @@ impl Lowering {
                     1 => "a number".into(),
                     _ => format!("a number, an array of {n} numbers, one a coordinate, or a matrix of {n}×{n} numbers"),
                 };
-                self.refuse(expr, format!("damping is {expected}; found {found}"));
+                self.refuse(expr, format!("{argument} is {expected}; found {found}"));
                 return vec![];
             }
         };

@@ -22,6 +22,15 @@ impl Skew {
     }
 }
 
+/// S and M of x' = L ∇E + M ∇S, as stated by the user.
+#[derive(Clone, Debug)]
+pub(crate) struct Entropy {
+    pub(crate) value: Id,
+    pub(crate) place: Place,
+    /// The rows of M.
+    pub(crate) friction: Vec<Vec<Id>>,
+}
+
 /// A first integral I(x) of a vector field, as stated by the user.
 #[derive(Clone, Debug)]
 pub(crate) struct Integral {
@@ -47,6 +56,12 @@ impl Lowering {
             self.entries(expr, b, coordinates)
         });
         Integral { value, but, place }
+    }
+
+    /// Evaluates an entropy and its friction matrix.
+    pub(super) fn entropy(&mut self, value: &Expr, friction: &Expr, coordinates: &Shape) -> Entropy {
+        let (value, place) = self.number(value);
+        Entropy { value, place, friction: self.coefficients("friction", friction, coordinates) }
     }
 
     /// Evaluates S in the coordinates x.

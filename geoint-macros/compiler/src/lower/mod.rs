@@ -27,7 +27,7 @@ use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::{Graph, HashMap, Id, Symbol, UndefinedAt};
 use crate::parse::{Argument, Energy, Form};
 pub(crate) use arrays::VELOCITY;
-pub(crate) use flow::{Integral, Skew, canonical};
+pub(crate) use flow::{Entropy, Integral, Skew, canonical};
 use loops::{Leaving, Loop};
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
@@ -57,6 +57,8 @@ pub(crate) struct Terms {
     pub(crate) field: Vec<Id>,
     /// S of x' = S(x) ∇H.
     pub(crate) structure: Skew,
+    /// S and M of x' = L ∇E + M ∇S.
+    pub(crate) entropy: Option<Entropy>,
     /// First integrals in `keeps(…)`.
     pub(crate) keeps: Vec<Integral>,
     /// Square matrix of damping.
@@ -123,7 +125,9 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
     };
     // Expressions of the attribute read the arguments of the function, not the variables of its body.
     lowering.scopes = arguments;
-    let damping = options.damping.as_ref().map(|expr| lowering.damping(expr, shape));
+    let damping = options.damping.as_ref().map(|expr| lowering.coefficients("damping", expr, shape));
+    let entropy = options.entropy.as_ref().zip(options.friction.as_ref());
+    let entropy = entropy.map(|(value, friction)| lowering.entropy(value, friction, shape));
     let x: Vec<Id> = (0..energy.degrees()).map(|i| lowering.graph.symbol(Symbol::Position(i))).collect();
     let structure = options.structure.as_ref().map_or_else(Skew::none, |form| lowering.structure(form, &x, shape));
     let keeps = options.keeps.iter().map(|kept| lowering.integral(kept, shape)).collect();
@@ -139,6 +143,7 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
         energy,
         field,
         structure,
+        entropy,
         keeps,
         damping,
         force,

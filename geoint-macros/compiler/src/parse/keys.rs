@@ -89,7 +89,7 @@ const L: Option<Form> = Some(Form::Lagrangian);
 const E: Option<Form> = None;
 
 /// All arguments, in the order of messages.
-const KEYS: [Key; 26] = [
+const KEYS: [Key; 28] = [
     key("name", "`name = Type`", &[H, C, F, L], |to, _, input| set(&mut to.name, input)),
     key("x", "`x = argument`", &[F], |to, _, input| role(to, Role::Position, input)),
     key("q", "`q = argument`", &[H, C, L], |to, _, input| role(to, Role::Position, input)),
@@ -118,6 +118,8 @@ const KEYS: [Key; 26] = [
     key("structure", "`structure = S` with `x = argument`", &[H], |to, _, input| {
         value(input).map(|expr| to.structure = Some(StructureForm::new(expr)))
     }),
+    key("entropy", "`entropy = S` with `friction = M`", &[H], |to, _, input| set(&mut to.entropy, input)),
+    key("friction", "", &[H], |to, _, input| set(&mut to.friction, input)),
     key("x", "", &[H], |to, _, input| {
         let name: Ident = value(input)?;
         to.roles.push((Role::Position, name.clone()));

@@ -169,10 +169,10 @@ impl Energy {
 
     /// Returns the other expressions in the attribute's arguments. They are written in the language of the body.
     pub(crate) fn expressions(&self) -> impl Iterator<Item = &Expr> {
-        let Options { damping, rayleigh, constraint, structure, keeps, .. } = &self.options;
+        let Options { damping, rayleigh, constraint, structure, entropy, friction, keeps, .. } = &self.options;
         let structure = structure.iter().filter(|form| form.is_expression()).map(|form| &form.expr);
         let kept = keeps.iter().flat_map(|kept| [Some(&kept.value), kept.but.as_ref()].into_iter().flatten());
-        damping.iter().chain(rayleigh).chain(constraint).chain(structure).chain(kept)
+        damping.iter().chain(rayleigh).chain(constraint).chain(structure).chain(entropy).chain(friction).chain(kept)
     }
 
     /// Returns the scalars of an argument as symbols. Parameters are numbered consecutively.

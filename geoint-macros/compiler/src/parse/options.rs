@@ -36,6 +36,10 @@ pub(crate) struct Options {
     pub(crate) rolling: Option<Expr>,
     /// S of x' = S(x) ∇H.
     pub(crate) structure: Option<StructureForm>,
+    /// S of x' = L ∇E + M ∇S, where L is the structure.
+    pub(crate) entropy: Option<Expr>,
+    /// M of x' = L ∇E + M ∇S.
+    pub(crate) friction: Option<Expr>,
     /// First integrals of a vector field.
     pub(crate) keeps: Vec<Kept>,
     /// Pieces into which the energy is split.
@@ -70,7 +74,9 @@ impl Options {
         let [attitude, angular_momentum] = [Role::Attitude, Role::AngularMomentum].map(span);
         let required = self.requirements.first().map(|(_, span)| *span);
         let force = self.force.as_ref().map(Spanned::span);
-        let nonconservative = self.damping.as_ref().map(Spanned::span).or(force);
+        let [damping, entropy, friction] =
+            [&self.damping, &self.entropy, &self.friction].map(|expr| expr.as_ref().map(Spanned::span));
+        let nonconservative = damping.or(force);
         let split = self.split.as_ref().and_then(|pieces| pieces.first()).map(Spanned::span);
         let coordinates = self.coordinates.map(|(_, span)| span);
         let parts = coordinates.or(split);
@@ -79,6 +85,10 @@ impl Options {
         let canonical = !structured && !bodies;
         // An argument conflicts with the others if the condition holds. The first conflict is reported.
         let conflicts = [
+            (entropy.or(friction), !structured, WITHOUT_STRUCTURE),
+            (entropy, friction.is_none(), WITHOUT_FRICTION),
+            (friction, entropy.is_none(), WITHOUT_ENTROPY),
+            (damping, entropy.is_some(), DAMPED_ENTROPY),
             (constraint, !canonical || parts.is_some() || force.is_some(), CONSTRAINED),
             (attitude, structured, BODY_WITH_STRUCTURE),
             (span(Role::Momentum).or(required).or(parts).or(force), structured, NO_MOMENTA),
@@ -95,6 +105,18 @@ impl Options {
         }
     }
 }
+
+const WITHOUT_STRUCTURE: &str =
+    "`entropy = S` and `friction = M` belong to x' = L ∇E + M ∇S: add the skew matrix L, `structure = L`";
+
+const WITHOUT_FRICTION: &str = "without friction the entropy is constant, a Casimir of the structure, which the report names by itself: add \
+                                `friction = M`, or leave `entropy` out";
+
+const WITHOUT_ENTROPY: &str = "`friction = M` is the matrix of x' = L ∇E + M ∇S: add the function S, `entropy = S`; a matrix C that takes energy \
+                               away is `damping = C`";
+
+const DAMPED_ENTROPY: &str =
+    "with an entropy the energy is kept, and damping would take some away: write `friction = M` with M ∇E = 0 alone";
 
 const CONSTRAINED: &str = "constraints are for positions and momenta whose energy is not split: leave out this, or `structure`, `attitude`, \
                            `split`, `coordinates` and `force`";

@@ -13,7 +13,7 @@ use crate::implicit_method;
 use crate::method::composition::substeps;
 use crate::method::corrected::rounded;
 use crate::method::implicit::{
-    Arrival, Branch, Departure, Equation, Evaluated, ImplicitStep, Increment, Policy, Sums, Units, Watch,
+    Arrival, Branch, Departure, Equation, Evaluated, ImplicitStep, Increment, Policy, SolvedBy, Sums, Units, Watch,
 };
 use crate::method::{Claims, Failure, Name, Probe};
 use crate::scalar::{Real, exact_sum, zero};
@@ -32,7 +32,8 @@ use crate::system::{Conservative, DiscreteField, Invariants, KeptBy, Span};
 ///
 /// A step solves one equation by Newton's iteration. If H = T(p) + V(q) with a quadratic T, it has half of the unknowns. If H is a quadratic polynomial that
 /// does not read time, a product with a constant inverse solves it. With a damping matrix C, J − C replaces J, and the energy changes by −h ∇̄H·C∇̄H, to
-/// rounding. In compositions with steps back in time, this balance holds for each substep. If H reads time, a step takes H at the time of its middle.
+/// rounding. In compositions with steps back in time, this balance holds for each substep. For x' = L ∇E + M ∇S the step is h (Q L Q ∇̄E + P M P ∇̄S), where Q
+/// and P are projections across ∇̄S and ∇̄E: E is kept, and for h > 0 the entropy S never falls. If H reads time, a step takes H at the time of its middle.
 ///
 /// Vector fields with first integrals keep these in place of H. Lagrangians that are solved for velocities have the step `PolarisedStep`. Systems with
 /// constraints of positions or velocities have the step `MultiplierStep`, which keeps them and their rates, too.
@@ -47,7 +48,7 @@ implicit_method!(
     |_| Name::new("DiscreteGradient"),
     Claims::of_order(2).symmetric().conserving_energy()
 );
-substeps!([] DiscreteGradient);
+substeps!([] DiscreteGradient where SolvedBy<Self, R>);
 
 /// The tree discrete gradient in all coordinates, for methods that build on it.
 impl MeanGradient for DiscreteGradient {

@@ -4,6 +4,7 @@
 use super::driver::{Memory, Prepared};
 use super::step::ImplicitStep;
 use crate::method::Handling;
+use crate::method::proof::StepsBack;
 use crate::scalar::Real;
 use crate::space::Array;
 use crate::system::{Invariants, PhaseSpace};
@@ -28,9 +29,8 @@ pub trait ImplicitMethod<S: PhaseSpace<R>, R: Real = f64>: Copy {
     fn step(self) -> Self::Step;
 }
 
-/// A system for which `M` is an [`ImplicitMethod`]. All these systems implement it. It states `M: ImplicitMethod<S>` as a bound of `S`, so that it can be a
-/// supertrait.
-pub trait SolvedBy<M, R: Real = f64>: PhaseSpace<R> {
+/// A system for which `M` is an [`ImplicitMethod`], at least for steps forward in time. All these systems implement it.
+pub trait SteppedBy<M, R: Real = f64>: PhaseSpace<R> {
     /// See [`ImplicitMethod::Proof`].
     type Proof;
     /// See [`ImplicitMethod::Step`].
@@ -40,7 +40,7 @@ pub trait SolvedBy<M, R: Real = f64>: PhaseSpace<R> {
     fn step_of(method: M) -> Self::Step;
 }
 
-impl<M: ImplicitMethod<S, R>, S: PhaseSpace<R>, R: Real> SolvedBy<M, R> for S {
+impl<M: ImplicitMethod<S, R>, S: PhaseSpace<R>, R: Real> SteppedBy<M, R> for S {
     type Proof = <M as ImplicitMethod<S, R>>::Proof;
     type Step = <M as ImplicitMethod<S, R>>::Step;
 
@@ -49,8 +49,14 @@ impl<M: ImplicitMethod<S, R>, S: PhaseSpace<R>, R: Real> SolvedBy<M, R> for S {
     }
 }
 
+/// A system for which `M` is an [`ImplicitMethod`] in both directions of time, so that compositions of `M` fit it, too. All these systems implement it. It
+/// states `M: ImplicitMethod<S>` as a bound of `S`, so that it can be a supertrait.
+pub trait SolvedBy<M, R: Real = f64>: SteppedBy<M, R> {}
+
+impl<M, S: SteppedBy<M, R, Proof: StepsBack<S, R>>, R: Real> SolvedBy<M, R> for S {}
+
 /// Returns [`Method::HANDLING`](crate::Method::HANDLING) of the steps of a method.
-pub const fn handling<M, S: SolvedBy<M, R>, R: Real>() -> Handling {
+pub const fn handling<M, S: SteppedBy<M, R>, R: Real>() -> Handling {
     Handling {
         is_rough_if_short: <StepFor<M, S, R> as ImplicitStep<S, R>>::POLICY.is_rough_if_short,
         keeps_invariants: <<StepFor<M, S, R> as ImplicitStep<S, R>>::Kept as Invariants<S, R>>::Values::LEN > 0,
@@ -59,12 +65,12 @@ pub const fn handling<M, S: SolvedBy<M, R>, R: Real>() -> Handling {
 }
 
 /// Returns [`ImplicitStep::COMPOSES_TO`] of the steps of a method.
-pub const fn composes_to<M, S: SolvedBy<M, R>, R: Real>() -> u32 {
+pub const fn composes_to<M, S: SteppedBy<M, R>, R: Real>() -> u32 {
     <StepFor<M, S, R> as ImplicitStep<S, R>>::COMPOSES_TO
 }
 
 /// The step of a method for a system.
-pub type StepFor<M, S, R> = <S as SolvedBy<M, R>>::Step;
+pub type StepFor<M, S, R> = <S as SteppedBy<M, R>>::Step;
 
 /// The coefficients of the steps of a method: [`Method::Prepared`](crate::Method::Prepared).
 pub type PreparedFor<M, S, R> = Prepared<StepFor<M, S, R>, S, R>;
@@ -81,11 +87,11 @@ macro_rules! implicit_method {
     ([$($generic:tt)*] $method:ty, |$this:pat_param| $name:expr, $claims:expr $(, $bounded:ty: $bound:path)?) => {
         impl<System, Number, $($generic)*> $crate::Method<System, Number> for $method
         where
-            System: $crate::method::implicit::SolvedBy<$method, Number>,
+            System: $crate::method::implicit::SteppedBy<$method, Number>,
             Number: $crate::Real,
             $($bounded: $bound,)?
         {
-            type Proof = <System as $crate::method::implicit::SolvedBy<$method, Number>>::Proof;
+            type Proof = <System as $crate::method::implicit::SteppedBy<$method, Number>>::Proof;
             type Prepared = $crate::method::implicit::PreparedFor<$method, System, Number>;
             type Memory = $crate::method::implicit::MemoryFor<$method, System, Number>;
             const COMPOSES_TO: u32 = $crate::method::implicit::composes_to::<$method, System, Number>();
@@ -101,7 +107,7 @@ macro_rules! implicit_method {
             }
 
             fn prepare(&self, system: &System, h: Number) -> Self::Prepared {
-                Self::Prepared::new(<System as $crate::method::implicit::SolvedBy<$method, Number>>::step_of(*self), system, h)
+                Self::Prepared::new(<System as $crate::method::implicit::SteppedBy<$method, Number>>::step_of(*self), system, h)
             }
 
             fn memory(_: &System::Phase) -> Self::Memory {

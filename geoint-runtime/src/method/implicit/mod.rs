@@ -128,7 +128,7 @@ mod watch;
 
 #[doc(hidden)]
 pub use driver::{Memory, Prepared};
-pub use method::{ImplicitMethod, SolvedBy};
+pub use method::{ImplicitMethod, SolvedBy, SteppedBy};
 #[doc(hidden)]
 pub use method::{MemoryFor, PreparedFor, StepFor, composes_to, handling};
 pub use points::{Arrival, Departure, Increment, Stage};

@@ -11,7 +11,9 @@ use crate::derive::implicit::{self, Scaled};
 use crate::derive::proof::flow::{Flow, coordinates};
 use crate::derive::system::{FlowKernel, Missing, Pair, PieceKernel, PiecesOf};
 use crate::ir::{Graph, Id, Symbol};
-use crate::messages::{AT_REST, CHANGED, DAMPED_FLOW, NO_STRUCTURE, NOT_PLANAR, NOT_POISSON, NOT_SOLVED};
+use crate::messages::{
+    AT_REST, CHANGED, DAMPED_FLOW, FRICTION_FLOW, NO_STRUCTURE, NOT_PLANAR, NOT_POISSON, NOT_SOLVED,
+};
 use crate::schedule::{Kernel, Levels, Output, Routine, Space};
 use crate::split::{self, Clock, Motion, NoPart, Part};
 
@@ -93,7 +95,7 @@ pub(crate) fn parts(
         };
     };
     if damping.is_some() {
-        return none(*integral, DAMPED_FLOW);
+        return none(*integral, if flow.entropy.is_some() { FRICTION_FLOW } else { DAMPED_FLOW });
     }
     let autonomous = !graph.reads(*integral).t;
     let by_terms = split::parts(graph, *integral, matrix);

@@ -3,6 +3,7 @@
 use super::Structure;
 use crate::analyze::{Damping, claims, search};
 use crate::diff;
+use crate::diff::entropy::EntropyStep;
 use crate::diff::equations::{checked_damping, structured, times};
 use crate::diff::flow::Conserved;
 use crate::ir::{
@@ -26,6 +27,8 @@ pub(crate) struct Flow {
     pub(crate) energy: Option<(Id, Vec<Vec<Id>>)>,
     /// The damping −C ∇H in the field.
     loss: Option<Vec<Id>>,
+    /// The entropy S of x' = L ∇E + M ∇S, with the step.
+    pub(crate) entropy: Option<EntropyStep>,
     /// Functions that steps keep, or whose change is known.
     pub(crate) kept: Vec<Named>,
     /// Constant functions that steps do not keep.
@@ -58,6 +61,8 @@ pub(crate) enum Origin {
     Assumed,
     /// The energy.
     Energy,
+    /// The entropy, which friction raises.
+    Entropy,
     /// Found by the search.
     Found,
 }
@@ -75,6 +80,7 @@ impl Flow {
             field: field.to_vec(),
             energy: None,
             loss: None,
+            entropy: None,
             kept: keeps.map(named).collect(),
             also: vec![],
             divergent: None,
@@ -106,6 +112,7 @@ impl Flow {
             field,
             energy: Some((energy, matrix)),
             loss,
+            entropy: None,
             kept,
             also: vec![],
             divergent: None,
@@ -154,12 +161,16 @@ impl Flow {
     }
 
     /// Adds Casimirs, which are constant along the rows of S. One of them may be the function from which S was built. Damping changes them as it changes H.
+    /// In a system with an entropy, [`search`](Self::search) finds the functions that friction keeps, too.
     pub(crate) fn search_casimirs(
         &mut self,
         graph: &mut Graph,
         Structure { matrix: rows, casimir: written, .. }: &Structure,
         names: &dyn Naming,
     ) {
+        if self.entropy.is_some() {
+            return;
+        }
         let x = coordinates(self.field.len());
         // The Casimir of the user comes first. The search may find a function of it with a smaller domain, such as its logarithm.
         let mut found: Vec<_> = written.iter().map(|value| search::Kept { value: *value, linear: false }).collect();

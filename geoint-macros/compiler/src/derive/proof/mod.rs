@@ -1,5 +1,6 @@
 //! Proofs about a flow: its integrals, and its structure matrix S. Methods rely on them. `check` turns counterexamples into messages.
 
+mod entropy;
 pub(super) mod flow;
 pub(super) mod liouville;
 
@@ -8,6 +9,7 @@ use crate::analyze::{Identity, claims};
 use crate::diff;
 use crate::ir::{Graph, Id};
 use crate::lower::Skew;
+pub(crate) use entropy::{Entropy, entropy};
 use flow::{Flow, Named, coordinates};
 
 /// Proofs about the integrals that the user lists.

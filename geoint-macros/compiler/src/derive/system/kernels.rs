@@ -112,6 +112,8 @@ pub(crate) struct FieldKernels {
     pub(crate) discrete: Option<Kernel>,
     /// The reason why there is no discrete gradient, if the divergence of the field is known to be the reason.
     pub(crate) nothing_kept: Option<Missing>,
+    /// The reason why steps of the discrete gradient are no part of a method of order 4, if back in time they would lower an entropy.
+    pub(crate) forward: Option<Missing>,
     /// Canonical coordinates of a Lagrangian that is linear in the velocities, and their rates, with derivatives. If collocation moves them, it is symplectic.
     pub(crate) canonical: Option<Kernel>,
     /// A step of order 4, of a flow or of a canonical system: h·f̄ and 1 − ∂(h·f̄)/∂d.

@@ -30,6 +30,19 @@ const DISCRETE_FIELD: Trait = Trait {
     provided: &[],
 };
 
+/// The equation of a step of order 4.
+const FOURTH_ORDER_FIELD: Trait = Trait {
+    name: "FourthOrderField",
+    has_proof: true,
+    associated: &[("FourthParameters", Absent::Never), ("FourthStart", Absent::Never)],
+    methods: methods! {
+        Hint fn fourth_parameters("h": {R}) -> FourthParameters;
+        Always fn fourth_begin("prepared": {&FourthParameters}, "span": {Span}, "z": {&Unknown}) -> FourthStart;
+        Always fn fourth_slope("prepared": {&FourthParameters}, "start": {&FourthStart}, "d": {&Unknown}, "image": {&mut Unknown}, "matrix": {&mut Square<Unknown>}) wide;
+    },
+    provided: &[],
+};
+
 /// Returns `impl Keeping` and `impl DiscreteField`, and the step of `DiscreteGradient`.
 pub(super) fn discrete_field(
     context: &Context<'_>,
@@ -71,7 +84,7 @@ pub(super) fn discrete_field(
     let keeping = Implementation::new(context, &KEEPING, &[]).items(quote!(type Kept = #kept; #nowhere_steep)).finish();
     let unknown_type = quote!(#unknown);
     let types = [("Parameters", parameters), ("Start", start), ("Inverse", inverse), ("Unknown", unknown_type)];
-    let field = Implementation::new(context, &DISCRETE_FIELD, &types)
+    let implementation = Implementation::new(context, &DISCRETE_FIELD, &types)
         .types()
         .items(quote!(const MEAN: Mean = Mean::#mean;))
         .method("parameters", context.stored(kernel, 0))
@@ -80,8 +93,11 @@ pub(super) fn discrete_field(
         .items(equation)
         .method("drift", quote!(let mut drift = <#unknown as Array>::zero(); #drift drift))
         .finish();
-    let solved = methods::solved(context, "DiscreteGradient", "TreeStep");
-    quote!(#keeping #field #solved)
+    let solved = match field.forward {
+        Some(_) => methods::solved_forward(context, "DiscreteGradient", "TreeStep"),
+        None => methods::solved(context, "DiscreteGradient", "TreeStep"),
+    };
+    quote!(#keeping #implementation #solved)
 }
 
 /// Returns the implementations for a field without conserved quantities. No scalar satisfies them.
@@ -89,6 +105,11 @@ pub(super) fn nothing_kept(context: &Context<'_>, missing: Missing) -> TokenStre
     let absent = absent(context, missing, &[&KEEPING, &DISCRETE_FIELD]);
     let unsolved = methods::unsolved(context, missing, "DiscreteGradient", "TreeStep");
     quote!(#absent #unsolved)
+}
+
+/// Returns the implementation of `FourthOrderField` for a system with an entropy. No scalar satisfies it.
+pub(super) fn forward(context: &Context<'_>, missing: Missing) -> TokenStream {
+    absent(context, missing, &[&FOURTH_ORDER_FIELD])
 }
 
 /// Returns `impl FourthOrderField` for a canonical system without damping. It uses the routines of collocation and of discrete gradients.

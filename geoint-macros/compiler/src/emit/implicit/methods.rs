@@ -10,14 +10,22 @@ use quote::{format_ident, quote};
 /// Returns `impl ImplicitMethod` of a method with one step for the system.
 pub(super) fn solved(context: &Context<'_>, method: &str, step: &str) -> TokenStream {
     let [method, step] = [method, step].map(|name| format_ident!("{name}"));
-    Solved { marker: None, method, step: quote!(#step), value: quote!(#step) }.implementation(context)
+    Solved::by(method, quote!(#step)).implementation(context)
+}
+
+/// Returns `impl ImplicitMethod` of a method with one step for the system, whose laws hold forward in time only.
+pub(super) fn solved_forward(context: &Context<'_>, method: &str, step: &str) -> TokenStream {
+    let [method, step] = [method, step].map(|name| format_ident!("{name}"));
+    let runtime = &context.energy.runtime;
+    let proof = quote!(#runtime::private::ForwardInTime);
+    Solved { proof, ..Solved::by(method, quote!(#step)) }.implementation(context)
 }
 
 /// Returns `impl ImplicitMethod` of a method whose step contains it.
 pub(super) fn solved_by(context: &Context<'_>, method: &str, step: &str) -> TokenStream {
     let [method, step] = [method, step].map(|name| format_ident!("{name}"));
     let (step, value) = (quote!(#step<#method>), quote!(#step(self)));
-    Solved { marker: None, method, step, value }.implementation(context)
+    Solved { step, ..Solved::by(method, value) }.implementation(context)
 }
 
 /// Returns `impl ImplicitMethod` of a method with Gauss stages, for each number of stages.
@@ -41,20 +49,23 @@ pub(super) fn collocated(context: &Context<'_>, method: &str, stages: &str) -> T
 /// Returns `impl ImplicitMethod` of a method that is solved as one of its own kind with one stage.
 pub(super) fn solved_in_one_stage(context: &Context<'_>, method: &str, stages: &str) -> TokenStream {
     let [method, stages] = [method, stages].map(|name| format_ident!("{name}"));
-    Solved { marker: None, method, step: quote!(#stages<1>), value: quote!(#stages) }.implementation(context)
+    Solved { step: quote!(#stages<1>), ..Solved::by(method, quote!(#stages)) }.implementation(context)
 }
 
 /// Returns `impl ImplicitMethod` for no scalar. The message of rustc states what the system lacks.
 pub(super) fn unsolved(context: &Context<'_>, missing: Missing, method: &str, step: &str) -> TokenStream {
     let [method, step] = [method, step].map(|name| format_ident!("{name}"));
-    let marker = Some(marker(context, missing));
-    Solved { marker, method, step: quote!(#step), value: quote!(#step) }.implementation(context)
+    let marker = marker(context, missing);
+    let proof = quote!(<R as #marker>::Proof);
+    Solved { marker: Some(marker), proof, ..Solved::by(method, quote!(#step)) }.implementation(context)
 }
 
 /// One implementation of `ImplicitMethod`.
 struct Solved {
     /// The trait without implementations, if the system lacks the step.
     marker: Option<Ident>,
+    /// The type of the proof.
+    proof: TokenStream,
     method: Ident,
     /// The type of the step.
     step: TokenStream,
@@ -63,12 +74,13 @@ struct Solved {
 }
 
 impl Solved {
+    /// Returns the implementation of a method with a step of the given name.
+    fn by(method: Ident, step: TokenStream) -> Solved {
+        Solved { marker: None, proof: quote!(()), method, step: step.clone(), value: step }
+    }
+
     fn implementation(self, context: &Context<'_>) -> TokenStream {
-        let (name, Solved { marker, method, step, value }) = (self_type(context), self);
-        let proof = match &marker {
-            Some(marker) => quote!(<R as #marker>::Proof),
-            None => quote!(()),
-        };
+        let (name, Solved { marker, proof, method, step, value }) = (self_type(context), self);
         let bound = marker.map(|marker| quote!(+ #marker));
         quote! {
             impl<R: Real #bound> ImplicitMethod<#name, R> for #method {

@@ -1,6 +1,6 @@
 //! Reports a flow x' = f(x, t).
 
-use super::{Report, field, pieces, solver, structure};
+use super::{Report, entropy, field, pieces, solver, structure};
 use crate::analyze::{self, Identity};
 use crate::check::wording::{commas, proven};
 use crate::derive::{Constant, Flow, Kernels, Named, Origin, Source, System};
@@ -15,7 +15,7 @@ pub(super) fn report(report: &mut Report<'_>, flow: &Flow, source: &Source, syst
     }
     equations(report, flow);
     match source {
-        Source::Structure(given) => structure::given(report, given),
+        Source::Structure(given) => structure::given(report, given, flow.entropy.as_ref()),
         Source::Field(findings) => field::report(report, findings),
         Source::Lagrangian(found) => structure::of_lagrangian(report, found),
     }
@@ -35,7 +35,10 @@ fn split_by<'a>(flow: &'a Flow, source: &Source) -> &'a str {
 /// Writes H, if the user gave an energy, and x' = f(x, t).
 fn equations(report: &mut Report<'_>, flow: &Flow) {
     if let Some((energy, _)) = flow.energy.as_ref().filter(|_| flow.form == Form::Structured) {
-        writeln!(report, "H = {}", report.formula(*energy));
+        match &flow.entropy {
+            Some(step) => writeln!(report, "E = {}\nS = {}", report.formula(*energy), report.formula(step.entropy)),
+            None => writeln!(report, "H = {}", report.formula(*energy)),
+        }
     }
     for (i, f) in (0..).zip(&flow.field) {
         writeln!(report, "{}' = {}", report.named(Symbol::Position(i)), report.excerpt(*f));
@@ -63,7 +66,9 @@ fn kept(report: &mut Report<'_>, flow: &Flow, source: &Source) {
             (Origin::Energy, Source::Field(_)) => {
                 format!("kept, the energy of the field{}", turns(graph, conserved.value))
             }
+            (Origin::Energy, _) if flow.entropy.is_some() => "kept, because L is skew and M ∇E = 0".into(),
             (Origin::Energy, _) => "kept, because S is skew".into(),
+            (Origin::Entropy, _) => "rises by ∇S·M ∇S ≥ 0, because L ∇S = 0".into(),
             (Origin::Assumed, _) | (Origin::Listed, _) => "assumed".into(),
         };
         let name = if *origin == Origin::Found { String::new() } else { format!("{name} = ") };
@@ -72,6 +77,7 @@ fn kept(report: &mut Report<'_>, flow: &Flow, source: &Source) {
                 let but = if graph.reads(conserved.value).t { "; by no projection, since it reads time" } else { "" };
                 writeln!(report, "- {name}{value}: {word}{but}");
             }
+            Some(_) if *origin == Origin::Entropy => writeln!(report, "- {name}{value}: {word}"),
             Some(b) => {
                 let change = report.vector(b);
                 writeln!(report, "- {name}{value}, but for b·∇I with b = {change}: {word}");
@@ -134,7 +140,9 @@ fn kept_by_steps(report: &mut Report<'_>, flow: &Flow) {
     let assumed = names(|named| named.conserved.but.is_none() && named.origin == Origin::Assumed);
     let changed = names(|named| named.conserved.but.is_some());
     let methods = "`DiscreteGradient` and `FourthOrder`";
-    if flow.form == Form::Field {
+    if let Some(step) = &flow.entropy {
+        entropy::step(report, step);
+    } else if flow.form == Form::Field {
         if !kept.is_empty() {
             writeln!(report, "- {methods} keep {kept}, to rounding");
         }

@@ -4,6 +4,7 @@ mod bodies;
 mod canonical;
 mod constraints;
 mod contact;
+mod entropy;
 mod field;
 mod flow;
 mod forced;

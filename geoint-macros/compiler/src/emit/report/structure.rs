@@ -1,16 +1,23 @@
 //! Reports the skew matrix S of x' = S ∇H, entry by entry.
 
-use super::Report;
+use super::{Report, entropy};
 use crate::analyze::Identity;
 use crate::derive::Parted;
 use crate::derive::proof::Structure;
+use crate::diff::entropy::EntropyStep;
 use crate::ir::{Id, Symbol};
 use crate::legendre::FirstOrder;
 
-/// Reports a matrix S of the user.
-pub(super) fn given(report: &mut Report<'_>, structure: &Structure) {
+/// Reports a matrix S of the user, or the matrices L and M of a system with an entropy.
+pub(super) fn given(report: &mut Report<'_>, structure: &Structure, step: Option<&EntropyStep>) {
     writeln!(report, "\nStructure");
-    writeln!(report, "- x' = S ∇H with skew S");
+    let equation = match step {
+        Some(_) => {
+            "x' = L ∇E + M ∇S with skew L and symmetric M; a state at which M is not positive semidefinite is refused"
+        }
+        None => "x' = S ∇H with skew S",
+    };
+    writeln!(report, "- {equation}");
     brackets(report, &structure.matrix);
     match &structure.poisson {
         Ok(()) => writeln!(report, "- a Poisson structure: Jacobi's identity holds"),
@@ -20,6 +27,7 @@ pub(super) fn given(report: &mut Report<'_>, structure: &Structure) {
             writeln!(report, "- {word} a Poisson structure: in Jacobi's identity indices ({i}, {j}, {k}){rest}")
         }
     }
+    step.iter().for_each(|step| entropy::friction(report, step));
 }
 
 /// Reports a matrix S that was found for a field and its integral I.

@@ -1,0 +1,44 @@
+//! Checks the entropy and the friction of x' = L ∇E + M ∇S.
+
+use super::wording::{refutation, undecided};
+use crate::analyze::Identity;
+use crate::compilation::Compilation;
+use crate::derive::proof::Entropy;
+use crate::diagnostics::Result;
+
+/// Reports friction that is zero or changes the energy, and an entropy that L changes or that reads time.
+pub(crate) fn entropy(compilation: &mut Compilation<'_>, found: Option<&Entropy>) -> Result<()> {
+    let Some(found @ Entropy { place, .. }) = found else { return Ok(()) };
+    let friction = &compilation.energy.options.friction;
+    if found.friction.is_none() {
+        compilation.diagnostics.at(friction, "friction is zero, so that the entropy is constant: leave out both");
+    }
+    if compilation.graph.reads(found.value).t {
+        let message = "the entropy reads time, and would change without friction: leave `t` out of it";
+        compilation.diagnostics.at_place(*place, message);
+    }
+    if let Err((row, verdict)) = &found.of_structure {
+        let rest = remaining(compilation, verdict);
+        let message = format!(
+            "entropy is changed by the reversible part: row {row} of L ∇S{rest}; L ∇S = 0 is asked for, so write S in Casimirs of L"
+        );
+        compilation.diagnostics.at_place(*place, message);
+    }
+    if let Err((row, verdict)) = &found.of_friction {
+        let rest = remaining(compilation, verdict);
+        let message = format!(
+            "friction changes the energy: row {row} of M ∇E{rest}; M ∇E = 0 is asked for, so let M return as heat what friction takes"
+        );
+        compilation.diagnostics.at(friction, message);
+    }
+    compilation.checked(())
+}
+
+/// Describes a row that is not zero.
+fn remaining(compilation: &Compilation<'_>, verdict: &Identity) -> String {
+    let printer = compilation.printer();
+    match verdict {
+        Identity::Wrong(wrong) => refutation(&printer, wrong),
+        _ => format!(" was not proven to be 0{}", undecided(&printer, verdict)),
+    }
+}
