@@ -5,6 +5,7 @@ mod constraints;
 mod damping;
 mod first_order;
 mod lagrangian;
+mod measure;
 mod pieces;
 mod proofs;
 pub(crate) mod wording;
@@ -13,6 +14,7 @@ pub(crate) use angles::of_energy as angles;
 pub(crate) use constraints::constraints;
 pub(crate) use first_order::first_order;
 pub(crate) use lagrangian::{forced_action, lagrangian, velocities};
+pub(crate) use measure::measure;
 pub(crate) use pieces::{division, pieces};
 pub(crate) use proofs::{integrals, structure};
 

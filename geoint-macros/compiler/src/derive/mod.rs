@@ -28,7 +28,7 @@ pub(crate) use contact::{ContactEnergy, contact};
 pub(crate) use domain::{Domain, Edges};
 pub(crate) use exact::parts::{Parted, parts};
 pub(crate) use facts::Fact;
-pub(crate) use findings::{BesideVelocities, Derived, FieldFindings, Findings, Source};
+pub(crate) use findings::{BesideVelocities, Derived, FieldFindings, Findings, Measure, Source};
 pub(crate) use flow::flow;
 pub(crate) use forced_contact::{ForcedContact, forced_contact};
 pub(crate) use implicit::MOST_UNKNOWNS;

@@ -59,6 +59,8 @@ pub(crate) struct Terms {
     pub(crate) structure: Skew,
     /// First integrals in `keeps(…)`.
     pub(crate) keeps: Vec<Integral>,
+    /// Density ρ of an invariant measure. Steps do not evaluate it.
+    pub(crate) measure: Option<(Id, Place)>,
     /// Square matrix of damping.
     pub(crate) damping: Option<Vec<Vec<Id>>>,
     /// Force without a potential, one entry for each coordinate.
@@ -130,10 +132,23 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
     let force = options.force.as_ref().map(|expr| lowering.force(expr, energy));
     let constraints = options.constraint.as_ref().map_or_else(Vec::new, |expr| lowering.constraints(expr));
     let partial = lowering.all_partial();
+    let measure = options.measure.as_ref().map(|expr| lowering.number(expr));
     let Lowering { graph, errors, places, constants, .. } = lowering;
     let (energy, friction) = (field[0], None);
-    let terms =
-        Terms { energy, field, structure, keeps, damping, force, friction, rayleigh, constraints, groups, partial };
+    let terms = Terms {
+        energy,
+        field,
+        structure,
+        keeps,
+        measure,
+        damping,
+        force,
+        friction,
+        rayleigh,
+        constraints,
+        groups,
+        partial,
+    };
     errors.or(Lowered { graph, places, constants, terms })
 }
 
