@@ -12,4 +12,5 @@ mod herglotz;
 mod leapfrog;
 mod measure;
 mod mechanics;
+mod sampling;
 mod satellite;
