@@ -83,7 +83,7 @@ const EXAMPLES: &[(&str, &str, &str)] = &[
         "friction that grows with the action",
         "M. Vermeeren, A. Bravetti & M. Seri, J. Phys. A 52 (2019) 445206",
     ),
-    ("contact_thermostat", "1/H = 1/H₀ + k t", "A. Bravetti & D. Tapias, Phys. Rev. E 93 (2016) 022139"),
+    ("cooling", "1/H = 1/H₀ + k t", ""),
     ("gradient_flow", "heights that fall at any step", ""),
     ("heat_bath", "total energy is kept, entropy grows", "M. Grmela & H. C. Öttinger, Phys. Rev. E 56 (1997) 6620"),
     ("charged_particle", "drift velocity, against an integral over the gyration angle", ""),
