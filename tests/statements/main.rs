@@ -14,3 +14,4 @@ mod measure;
 mod mechanics;
 mod sampling;
 mod satellite;
+mod velocities;

@@ -39,7 +39,7 @@ pub(crate) use proof::liouville::{Liouville, Multiplier, Recovered, liouville};
 pub(crate) use system::{
     BodyKernels, Collocation, ConstraintKernels, ContactStages, Decay, FieldKernels, FlowKernel, GradientKick, Inner,
     Integrals, KeptMomentum, Kernels, KickDrift, Lagrangian, MassKernels, Missing, MixedDerivatives, Modified,
-    NamedFunction, Pair, Perturbed, PieceKernel, PiecesOf, Shift, StageKernel, StepKernel, System, Turn, Undamped,
-    VelocityKernels, VelocityStages,
+    NamedFunction, OfEnergy, Pair, Perturbed, PieceKernel, PiecesOf, Shift, StageKernel, StepKernel, System, Turn,
+    Undamped, VelocityKernels, VelocityStages,
 };
 pub(crate) use velocities::{LagrangianOfVelocities, velocities};

@@ -24,6 +24,10 @@ pub(super) fn derived(
     let kept = analyze::bound(graph, terms.energy, &constraints, shape).damped(graph, damping);
     let gradient = diff::gradient(graph, structure.energy, degrees);
     let system = derive::constrained(compilation, &structure, &constraints, &gradient, &terms.partial);
+    let system = match &legendre {
+        Some(_) => system,
+        None => system.with_inverse(compilation, structure.energy),
+    };
     let findings = Findings::Constrained { structure, kept, constraints, gradient };
     Ok(Derived { system, legendre, findings }.with_velocities(compilation))
 }

@@ -1,6 +1,6 @@
 //! Reports H(q, p, t) with constraints.
 
-use super::{Report, friction, plural};
+use super::{Report, friction, lagrangian, plural};
 use crate::analyze::Structure;
 use crate::derive::{Kernels, System};
 use crate::diff::Gradient;
@@ -16,7 +16,7 @@ pub(super) fn report(
     gradient: &Gradient,
     system: &System,
 ) {
-    equations(report, structure, constraints, gradient);
+    equations(report, structure, constraints, gradient, system);
     writeln!(report, "\nConserved by the flow and by `DiscreteGradient`, at least");
     let energy = kept.conserves_energy().then(|| "the energy".to_string());
     let cyclic = kept.cyclic.iter().map(|i| {
@@ -30,11 +30,12 @@ pub(super) fn report(
 }
 
 /// Writes the energy, its gradient, the constraints, and damping.
-fn equations(report: &mut Report<'_>, structure: &Structure, constraints: &[Id], gradient: &Gradient) {
+fn equations(report: &mut Report<'_>, structure: &Structure, constraints: &[Id], gradient: &Gradient, system: &System) {
     let (q, p) = (report.name_of(Role::Position), report.name_of(Role::Momentum));
     writeln!(report, "H = {}", report.formula(structure.energy));
     report.derivatives("H", Symbol::Position, &gradient.q, Report::excerpt);
     report.derivatives("H", Symbol::Momentum, &gradient.p, Report::excerpt);
+    lagrangian::of_energy(report, system);
     writeln!(report, "\nConstraints: {p}' = −∂H/∂{q} − Gᵀλ with G = ∂g/∂{q}");
     for constraint in constraints {
         writeln!(report, "- 0 = {}", report.excerpt(*constraint));
