@@ -84,6 +84,11 @@ const EXAMPLES: &[(&str, &str, &str)] = &[
         "M. Vermeeren, A. Bravetti & M. Seri, J. Phys. A 52 (2019) 445206",
     ),
     ("cooling", "1/H = 1/H₀ + k t", ""),
+    (
+        "sampling",
+        "means with known densities, and a control that stays on a torus",
+        "D. Tapias, A. Bravetti & D. Sanders, Comput. Methods Sci. Technol. 23 (2017) 11",
+    ),
     ("gradient_flow", "heights that fall at any step", ""),
     ("heat_bath", "total energy is kept, entropy grows", "M. Grmela & H. C. Öttinger, Phys. Rev. E 56 (1997) 6620"),
     ("charged_particle", "drift velocity, against an integral over the gyration angle", ""),
