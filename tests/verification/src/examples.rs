@@ -89,6 +89,7 @@ const EXAMPLES: &[(&str, &str, &str)] = &[
         "means with known densities, and a control that stays on a torus",
         "D. Tapias, A. Bravetti & D. Sanders, Comput. Methods Sci. Technol. 23 (2017) 11",
     ),
+    ("descent", "the heavy ball, point by point", "B. Polyak, USSR Comput. Math. Math. Phys. 4 (1964) 1"),
     ("gradient_flow", "heights that fall at any step", ""),
     ("heat_bath", "total energy is kept, entropy grows", "M. Grmela & H. C. Öttinger, Phys. Rev. E 56 (1997) 6620"),
     ("charged_particle", "drift velocity, against an integral over the gyration angle", ""),
