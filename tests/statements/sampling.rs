@@ -82,6 +82,30 @@ fn thermostats_keep_their_density() {
     assert!(Logistic::REPORT.contains("div(ρf) = 0, proven by multiplying out"), "{}", Logistic::REPORT);
 }
 
+/// det DΦ · ρ(Φ)/ρ = 1 for the flow of Nosé and Hoover, and to order 4 for steps of RK4.
+#[test]
+fn flows_keep_their_density_and_steps_to_their_order() {
+    let (m, beta, inertia, start) = (1.3, 0.8, 0.6, [0.9, 0.4, -0.3]);
+    let density =
+        |x: &[f64]| (-beta * (x[1] * x[1] / (2.0 * m) + x[0] * x[0] / 2.0 + x[2] * x[2] / (2.0 * inertia))).exp();
+    let defect = |map: &Derivative| (map.volume() * density(&map.after) / density(&map.before) - 1.0).abs();
+    let field = |_: Dual, x: &[Dual]| vec![x[1] / m, -x[0] - x[2] / inertia * x[1], x[1] * x[1] / m - 1.0 / beta];
+    let flow = Derivative::of(start.to_vec(), |x| extrapolated(field, 0.0.into(), x.to_vec(), 1.5.into(), 12));
+    assert!(defect(&flow) < 1e-11 && (flow.volume() - 1.0).abs() > 0.05, "{:e} {}", defect(&flow), flow.volume());
+    let [long, short] = [30_u32, 60].map(|steps| {
+        defect(&Derivative::of(start.to_vec(), |x| {
+            let system = NoseHoover { m: Dual::from(m), beta: beta.into(), inertia: inertia.into() };
+            let mut sim =
+                system.integrator(RK4, Dual::from(1.5 / f64::from(steps)), FlowState::new([x[0], x[1], x[2]]));
+            sim.advance(steps.into()).expect("steps");
+            sim.state().x.to_vec()
+        }))
+    });
+    let order = (long / short).log2();
+    // Another program has 1.449e-6 for the defect of 60 steps.
+    assert!((order - 4.0).abs() < 0.05 && (short / 1.449e-6 - 1.0).abs() < 1e-3, "{order} {short:e}");
+}
+
 /// The volume of (q, p, s) changes by e^(Δη) exactly, so a step can be accepted or refused by the change of E − ln(f)/β − η/β alone.
 #[test]
 fn a_step_of_the_thermostat_has_an_exact_volume() {
