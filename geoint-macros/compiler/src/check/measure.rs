@@ -13,7 +13,7 @@ use crate::lower::Terms;
 pub(crate) fn measure(compilation: &mut Compilation<'_>, terms: &Terms, field: &[Id]) -> Result<Option<Measure>> {
     let Some((density, place)) = terms.measure else { return Ok(None) };
     let x: Vec<Symbol> = (0..compilation.degrees()).map(Symbol::Position).collect();
-    let message = if let Some(message) = unsuitable(compilation, density) {
+    let message = if let Some(message) = unsuitable(compilation, density, field) {
         message
     } else {
         let (balance, jump) = (
@@ -40,8 +40,8 @@ pub(crate) fn measure(compilation: &mut Compilation<'_>, terms: &Terms, field: &
     compilation.checked(None)
 }
 
-/// Explains why a function is no density of x, whatever the field is.
-fn unsuitable(compilation: &mut Compilation<'_>, density: Id) -> Option<String> {
+/// Explains why a function is no density of x, whatever its derivatives are.
+fn unsuitable(compilation: &mut Compilation<'_>, density: Id, field: &[Id]) -> Option<String> {
     let reads = compilation.graph.reads(density);
     if reads.t {
         return Some(
@@ -50,7 +50,13 @@ fn unsuitable(compilation: &mut Compilation<'_>, density: Id) -> Option<String> 
     }
     if reads.p || reads.s {
         return Some(
-            "the momenta and the action of a lift are not followed: write ρ as a function of the positions".into(),
+            "the density of a lift is a function of its positions: leave out the momenta and the action".into(),
+        );
+    }
+    if field.iter().any(|f| compilation.graph.reads(*f).s) {
+        return Some(
+            "the field reads the action, so its flow has no density of positions alone: make the action a coordinate"
+                .into(),
         );
     }
     identity(&mut compilation.graph, density).is_zero().then(|| {

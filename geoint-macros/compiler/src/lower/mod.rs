@@ -132,6 +132,7 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
     let force = options.force.as_ref().map(|expr| lowering.force(expr, energy));
     let constraints = options.constraint.as_ref().map_or_else(Vec::new, |expr| lowering.constraints(expr));
     let partial = lowering.all_partial();
+    // No step evaluates the density, so its domain is none of the system.
     let measure = options.measure.as_ref().map(|expr| lowering.number(expr));
     let Lowering { graph, errors, places, constants, .. } = lowering;
     let (energy, friction) = (field[0], None);

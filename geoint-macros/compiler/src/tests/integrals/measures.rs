@@ -54,6 +54,17 @@ fn other_densities_are_refused() {
     }
 }
 
+/// The action moves with the positions: with s' = −q₀ the volume of (q, s) stays, but q alone has no volume that its flow keeps.
+#[test]
+fn a_field_that_reads_the_action_has_no_density_of_positions() {
+    let found = messages_of(
+        Form::Contact,
+        quote!(lift, measure = 1.0),
+        quote! { fn f(q: [f64; 2], p: [f64; 2], s: f64) -> f64 { p[0] * s + p[1] * q[0] + q[0] } },
+    );
+    assert!(found.contains("make the action a coordinate"), "{found}");
+}
+
 #[test]
 fn reports_name_the_invariant_measure() {
     let report = |form, args: TokenStream, item: TokenStream| {
