@@ -50,7 +50,7 @@ pub use crate::system::{
     Gradients, Hamiltonian, KeepsEnergy, Lagrangian as LagrangianSystem, Mechanical as MechanicalContact,
     Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Piece as FlowPiece, Pieces as FlowPieces, Pole,
     PrincipalAxes, QuadraticKinetic, Separable, SteadyIntegrals, Unmet, VectorField as DifferentialEquation,
-    canonical_rate, from_positions, is_positive_semidefinite, unsuitable,
+    canonical_rate, constrained_lagrangian_of, from_positions, is_positive_semidefinite, lagrangian_of, unsuitable,
 };
 pub use crate::taylor::method::TaylorMethod;
 pub use geoint_macros::{put_energy_function_above_it, resume};

@@ -13,4 +13,6 @@ mod herglotz;
 mod leapfrog;
 mod measure;
 mod mechanics;
+mod sampling;
 mod satellite;
+mod velocities;

@@ -68,6 +68,7 @@ fn a_flow_keeps_the_measure_and_no_other_power() {
     assert!((flow.volume() - 0.280_007_51).abs() < 5e-9, "{}", flow.volume());
     let off = [decay.powi(2) - flow.volume(), decay - flow.factor()];
     assert!(off.iter().all(|off| off.abs() < 1e-12), "{off:?}");
+    assert!(Cosmological::REPORT.contains("|H|^−2 is the density of an invariant measure where H ≠ 0"));
     // Controls: the volume itself, and the power n, are not invariant.
     assert!((flow.volume() - 1.0).abs() > 0.7 && (flow.volume() / decay - 1.0).abs() > 0.4);
     // Steps of two pieces are contact maps, but H₁ = λH₀ holds to their order only.

@@ -19,6 +19,7 @@
 //! ∂H/∂q[1] = -k·(q[0] - q[1])/((q[0] - q[1])² + 1)^(3/2)
 //! ∂H/∂p[0] = p[0]/m[0]
 //! ∂H/∂p[1] = p[1]/m[1]
+//! L = k/√((q[0] - q[1])² + 1) + (m[0]·v[0]² + m[1]·v[1]²)/2, with v = ∂H/∂p
 //!
 //! Structure
 //! - H = T(p) + V(q): kick and drift are exact flows
@@ -60,14 +61,13 @@
 //! | line | meaning |
 //! |---|---|
 //! | `H = …` | The energy after simplification. Compare it with your formula: a forgotten parenthesis shows here. |
-//! | `∂H/∂q[0] = …` | The derivatives. The motion is q' = ∂H/∂p, p' = −∂H/∂q. |
+//! | `∂H/∂q[0] = …`, `L = …` | The derivatives, and the Lagrangian. The motion is q' = ∂H/∂p, p' = −∂H/∂q. |
 //! | `H = T(p) + V(q)` | H is separable. All tables of kicks and drifts exist, such as [`StormerVerlet`](crate::StormerVerlet). |
 //! | `T is quadratic in p …` | Runge–Kutta–Nyström tables exist too, such as [`BlanesMoanSrkn14a`](crate::BlanesMoanSrkn14a). |
 //! | `H is not a polynomial …` | Up to degree 3, [`Kahan`](crate::Kahan) exists. |
 //! | `H does not depend on time` | Without friction the motion conserves the energy. |
 //! | `Conserved by the flow, at least` | Found: the energy, momenta of unread coordinates, total and angular momentum. Others may exist. |
-//! | `DiscreteGradient … keep all of that` | The numerical solution conserves these quantities too, up to rounding, for every step size. |
-//! | `on an orbit on which …` | For a circular orbit, `FourthOrder` conserves the energy only. |
+//! | `DiscreteGradient … keep all of that` | The numerical solution conserves these too, up to rounding; on a circular orbit, `FourthOrder` keeps the energy only. |
 //! | `MeanValue …` | Whether [`MeanValue`](crate::MeanValue) conserves the energy exactly. If not, the line names the term. |
 //! | `Operations` | The cost of a kick, a drift, or an iteration. `StormerVerlet` needs one kick and one drift a step, `Gauss::<S>` has S stages. |
 //! | `unknowns 2` | The size of the implicit equation. The momenta follow from the positions here, because T is quadratic. |

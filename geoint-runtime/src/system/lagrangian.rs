@@ -1,9 +1,9 @@
 //! Systems that are given by a Lagrangian L(q, v, s, t).
 
-use super::{Cotangent, VectorField};
+use super::{Constrained, Cotangent, Hamiltonian, VectorField};
 use crate::scalar::Real;
-use crate::space::Array;
 use crate::space::vector::{difference, moved, scaled};
+use crate::space::{Array, Snapshot};
 
 /// A system with the energy H(q, p, s, t) = p·v − L(q, v, s, t) and the momenta p = ∂L/∂v.
 #[diagnostic::on_unimplemented(
@@ -38,4 +38,26 @@ pub fn from_positions<S: Lagrangian<R> + VectorField<R>, R: Real>(
     let mut rate = [S::Array::zero(); 2];
     system.rate(middle, &[q, p], &mut rate);
     moved(&p, half * h, &rate[1])
+}
+
+/// Returns the Lagrangian p·∂H/∂p − H of a state.
+pub fn lagrangian_of<S: Hamiltonian<R>, R: Real>(system: &S, state: &S::State) -> R {
+    let (t, z, _) = state.parts();
+    let mut slopes = S::Phase::zero();
+    system.gradient(t, &z, &mut slopes);
+    lagrangian_with(system, state, &slopes[1])
+}
+
+/// Returns the Lagrangian p·∂H/∂p − H of a state with constraints.
+pub fn constrained_lagrangian_of<S: Constrained<R>, R: Real>(system: &S, state: &S::State) -> R {
+    let (t, z, _) = state.parts();
+    let (mut velocity, mut inverse_mass) = (S::Array::zero(), S::Array::fill(S::Array::zero()));
+    system.velocity(t, &z, &mut velocity, &mut inverse_mass);
+    lagrangian_with(system, state, &velocity)
+}
+
+fn lagrangian_with<S: Cotangent<R>, R: Real>(system: &S, state: &S::State, velocity: &S::Array) -> R {
+    let (t, z, s) = state.parts();
+    let power = z[1].as_slice().iter().zip(velocity.as_slice());
+    power.fold(-system.hamiltonian(t, &z, &s), |sum, (p, v)| p.multiply_add(*v, sum))
 }

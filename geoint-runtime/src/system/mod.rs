@@ -47,7 +47,7 @@ pub(crate) use integrals::KeptMomenta;
 pub use integrals::{FirstIntegrals, Invariants, KeepsEnergy, Origin, SteadyIntegrals};
 pub(crate) use jets::Jets;
 pub(crate) use jumps::{jump_between, jump_of_integral, jump_on_way};
-pub use lagrangian::{Lagrangian, from_positions};
+pub use lagrangian::{Lagrangian, constrained_lagrangian_of, from_positions, lagrangian_of};
 pub use perturbed::{Perturbed, PerturbedGradient, unsuitable};
 pub(crate) use pieces::NystromPieces;
 pub use pieces::{Clock, Piece, Pieces};

@@ -83,7 +83,13 @@ const EXAMPLES: &[(&str, &str, &str)] = &[
         "friction that grows with the action",
         "M. Vermeeren, A. Bravetti & M. Seri, J. Phys. A 52 (2019) 445206",
     ),
-    ("contact_thermostat", "1/H = 1/H₀ + k t", "A. Bravetti & D. Tapias, Phys. Rev. E 93 (2016) 022139"),
+    ("cooling", "1/H = 1/H₀ + k t", ""),
+    (
+        "sampling",
+        "means with known densities, and a control that stays on a torus",
+        "D. Tapias, A. Bravetti & D. Sanders, Comput. Methods Sci. Technol. 23 (2017) 11",
+    ),
+    ("descent", "the heavy ball, point by point", "B. Polyak, USSR Comput. Math. Math. Phys. 4 (1964) 1"),
     ("gradient_flow", "heights that fall at any step", ""),
     ("heat_bath", "total energy is kept, entropy grows", "M. Grmela & H. C. Öttinger, Phys. Rev. E 56 (1997) 6620"),
     (

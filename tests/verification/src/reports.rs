@@ -59,7 +59,12 @@ const SENTENCES: &[(&str, &str)] = &[
     ("the momenta of a lift are not followed", "tests/contact::stiff_oscillations_have_their_period"),
     ("s follows, and friction costs nothing", "tests/contact::orders"),
     ("no rule knows the flow", "geoint-macros/compiler/src/tests::terms_without_a_flow"),
+    (
+        "is the density of an invariant measure where H ≠ 0",
+        "tests/statements::a_flow_keeps_the_measure_and_no_other_power",
+    ),
     // Fields and structures.
+    ("the density ρ is kept by the flow", "tests/statements::flows_keep_their_density_and_steps_to_their_order"),
     ("no energy has this field", "tests/accuracy::without_an_energy_the_report_says_why"),
     ("not proven to be the field of an energy", "tests/accuracy::without_an_energy_the_report_says_why"),
     ("canonical, ", "tests/accuracy::what_is_recovered_is_kept"),
@@ -100,6 +105,7 @@ const SENTENCES: &[(&str, &str)] = &[
     ("linear in {}", "geoint-macros/compiler/src/tests::energies_belong_to_lagrangians"),
     ("not T + V", "tests/lagrangian::the_energy_of_a_moving_frame_is_not_mechanical"),
     ("there is no discrete gradient", "tests/lagrangian::other_powers_of_velocities"),
+    ("L by values only", "tests/statements::energies_without_a_formula_have_values"),
     // Damping and forces.
     ("damping that is not positive semidefinite", "tests/stability::parameters_that_feed_energy_are_refused"),
     ("falls by exactly h ∇̄H·C ∇̄H", "tests/stability::energy_falls_by_what_is_dissipated"),

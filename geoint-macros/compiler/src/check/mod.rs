@@ -6,6 +6,7 @@ mod damping;
 mod entropy;
 mod first_order;
 mod lagrangian;
+mod measure;
 mod pieces;
 mod proofs;
 pub(crate) mod wording;
@@ -15,6 +16,7 @@ pub(crate) use constraints::constraints;
 pub(crate) use entropy::entropy;
 pub(crate) use first_order::first_order;
 pub(crate) use lagrangian::{forced_action, lagrangian, velocities};
+pub(crate) use measure::measure;
 pub(crate) use pieces::{division, pieces};
 pub(crate) use proofs::{integrals, structure};
 

@@ -46,6 +46,8 @@ impl Names<'_> {
     pub(crate) fn of(&self, role: Role) -> String {
         let default = match role {
             Role::Momentum => "p",
+            // A parameter may have the usual name of velocities.
+            Role::Velocity if self.energy.arguments.iter().any(|argument| argument.name == VELOCITY) => "q'",
             Role::Velocity => VELOCITY,
             _ => "",
         };

@@ -2,7 +2,7 @@
 
 use super::proof::{Integrals, Structure};
 use super::{Flow, Liouville, Parted, System};
-use crate::analyze::{self, Binding, Damping, Dissipated, Forces};
+use crate::analyze::{self, Binding, Damping, Dissipated, Forces, Proof};
 use crate::compilation::Compilation;
 use crate::diff::Gradient;
 use crate::diff::constraint::Row;
@@ -32,8 +32,8 @@ pub(crate) enum Findings {
     Canonical { structure: analyze::Structure, gradient: Gradient },
     /// H(q, p, t) with constraints.
     Constrained(Box<ConstrainedFindings>),
-    /// H(q, p, s, t).
-    Contact { energy: Id, gradient: Gradient, dissipated: Option<Dissipated> },
+    /// H(q, p, s, t). `measure` is that of a lifted field.
+    Contact { energy: Id, gradient: Gradient, dissipated: Option<Dissipated>, measure: Option<Measure> },
     /// H(q, p, s, t) with forces beside it. `drag` is ∂R/∂v of a quadratic Rayleigh function R.
     Forced { energy: Id, forces: Option<Forces>, drag: Option<Vec<Id>> },
     /// L(q, v, s, t) with velocities as unknowns. `obstacle` is the reason why there is no H.
@@ -73,9 +73,17 @@ pub(crate) enum Source {
     Lagrangian(FirstOrder),
 }
 
+/// An invariant measure ρ dx of a field, as stated by the user.
+pub(crate) struct Measure {
+    pub(crate) density: Id,
+    /// Proof of div(ρf) = 0.
+    pub(crate) proof: Proof,
+}
+
 /// Facts about a field.
 pub(crate) struct FieldFindings {
     pub(crate) proofs: Integrals,
+    pub(crate) measure: Option<Measure>,
     pub(crate) liouville: Liouville,
     /// S of the planes, if it is known.
     pub(crate) parted: Option<Parted>,

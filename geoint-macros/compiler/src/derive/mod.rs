@@ -28,7 +28,7 @@ pub(crate) use contact::{ContactEnergy, contact};
 pub(crate) use domain::{Domain, Edges};
 pub(crate) use exact::parts::{Parted, parts};
 pub(crate) use facts::Fact;
-pub(crate) use findings::{BesideVelocities, ConstrainedFindings, Derived, FieldFindings, Findings, Source};
+pub(crate) use findings::{BesideVelocities, ConstrainedFindings, Derived, FieldFindings, Findings, Measure, Source};
 pub(crate) use flow::flow;
 pub(crate) use forced_contact::{ForcedContact, forced_contact};
 pub(crate) use implicit::MOST_UNKNOWNS;
@@ -39,7 +39,7 @@ pub(crate) use proof::liouville::{Liouville, Multiplier, Recovered, liouville};
 pub(crate) use system::{
     BodyKernels, Collocation, ConstraintKernels, ContactStages, Decay, FieldKernels, FlowKernel, GradientKick, Inner,
     Integrals, KeptMomentum, Kernels, KickDrift, Lagrangian, MassKernels, Missing, MixedDerivatives, Modified,
-    NamedFunction, Pair, Perturbed, PieceKernel, PiecesOf, Shift, StageKernel, StepKernel, System, Turn, Undamped,
-    VelocityKernels, VelocityStages,
+    NamedFunction, OfEnergy, Pair, Perturbed, PieceKernel, PiecesOf, Shift, StageKernel, StepKernel, System, Turn,
+    Undamped, VelocityKernels, VelocityStages,
 };
 pub(crate) use velocities::{LagrangianOfVelocities, velocities};

@@ -3,7 +3,7 @@
 use super::context::Context;
 use super::implementation::proven;
 use super::structure::{self_type, state};
-use crate::derive::Lagrangian;
+use crate::derive::{Kernels, Lagrangian, OfEnergy, System};
 use crate::parse::Energy;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -101,6 +101,53 @@ pub(super) fn lagrangian(context: &Context<'_>, found: &Lagrangian) -> TokenStre
 
             #from_positions
         }
+    }
+}
+
+/// Returns the user's methods of an energy: the value of its Lagrangian, and states from velocities if these have a formula for momenta.
+pub(super) fn of_energy(context: &Context<'_>, system: &System) -> TokenStream {
+    let lagrangian = match system.kernels {
+        Kernels::Constrained(_) => quote!(constrained_lagrangian_of),
+        _ => quote!(lagrangian_of),
+    };
+    let Energy { name: plain, float, coordinates, .. } = context.energy;
+    let (state, coordinates) = (state(context.form), &coordinates.ty);
+    let from_velocities = system.of_energy.as_ref().map(|OfEnergy { momenta, .. }| {
+        let (name, array, momenta) = (self_type(context), context.positions_type(), context.assigned(momenta));
+        quote! {
+            trait OfVelocities<R: Real> {
+                fn momentum(&self, t: R, q: &#array, v: &#array) -> #array;
+            }
+            impl<R: Real> OfVelocities<R> for #name {
+                #[inline]
+                fn momentum(&self, t: R, q: &#array, v: &#array) -> #array {
+                    let mut momentum = <#array as Array>::zero();
+                    #momenta
+                    momentum
+                }
+            }
+            impl #plain {
+                /// The state with these positions and velocities, at t = 0.
+                pub fn at(&self, q: #coordinates, v: #coordinates) -> #state<#coordinates> {
+                    self.at_time(0.0, q, v)
+                }
+
+                /// The state with these positions and velocities at a time.
+                pub fn at_time(&self, t: #float, q: #coordinates, v: #coordinates) -> #state<#coordinates> {
+                    let [position, velocity] = [q, v].map(Coordinates::into_array);
+                    #state::at(t, q, Coordinates::from_array(OfVelocities::momentum(self, t, &position, &velocity)))
+                }
+            }
+        }
+    });
+    quote! {
+        impl #plain {
+            /// The Lagrangian p·∂H/∂p − H of a state.
+            pub fn lagrangian(&self, state: &#state<#coordinates>) -> #float {
+                #lagrangian(self, state)
+            }
+        }
+        #from_velocities
     }
 }
 

@@ -91,11 +91,12 @@ pub(crate) fn items(compilation: &Compilation<'_>, derived: &Derived) -> TokenSt
         Form::FirstOrder => lagrangian::first_order(context, found),
         _ => lagrangian::lagrangian(context, found),
     });
+    let of_energy = (context.form == Form::Hamiltonian).then(|| lagrangian::of_energy(context, system));
     let modified = system.modified.as_ref().map(|modified| system::modified_energy(context, modified));
     let implicit = implicit::implicit(context, system);
     let jets = system.jet.as_ref().map(|found| jet::jets(context, found));
     let implementations =
-        quote!(#inherent #space #lagrangian #integrals #(#pieces)* #flows #parted #modified #implicit #jets);
+        quote!(#inherent #space #lagrangian #of_energy #integrals #(#pieces)* #flows #parted #modified #implicit #jets);
     around(context, &report, &implementations)
 }
 

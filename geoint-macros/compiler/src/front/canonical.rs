@@ -31,5 +31,9 @@ pub(super) fn derived(compilation: &mut Compilation<'_>, terms: Terms, legendre:
     if let Some(pieces) = &pieces {
         check::pieces(compilation, structure.energy, groups, pieces)?;
     }
+    let system = match &legendre {
+        Some(_) => system,
+        None => system.with_inverse(compilation, structure.energy),
+    };
     Ok(Derived { system, legendre, findings: Findings::Canonical { structure, gradient } }.with_velocities(compilation))
 }

@@ -31,6 +31,10 @@ pub(super) fn derived(
     let bindings = analyze::bindings(graph, &rows);
     let gradient = diff::gradient(graph, structure.energy, degrees);
     let system = derive::constrained(compilation, &structure, &rows, &gradient, &terms.partial);
+    let system = match &legendre {
+        Some(_) => system,
+        None => system.with_inverse(compilation, structure.energy),
+    };
     let findings = ConstrainedFindings { structure, kept, rows, bindings, gradient };
     let findings = Findings::Constrained(Box::new(findings));
     Ok(Derived { system, legendre, findings }.with_velocities(compilation))

@@ -28,7 +28,9 @@ pub(super) fn derived(compilation: &mut Compilation<'_>, terms: &Terms, legendre
     let system = derive::contact(compilation, &of, &terms.partial);
     check::of_action(compilation, energy, &mechanics)?;
     check::pieces(compilation, energy, groups, &pieces)?;
-    let findings = Findings::Contact { energy, gradient, dissipated };
+    // The positions of a lift q' = X(q) follow X alone.
+    let measure = check::measure(compilation, terms, &gradient.p)?;
+    let findings = Findings::Contact { energy, gradient, dissipated, measure };
     Ok(Derived { system, legendre, findings }.with_velocities(compilation))
 }
 

@@ -10,6 +10,7 @@ pub(super) fn derived(compilation: &mut Compilation<'_>, terms: &Terms) -> Resul
     let mut flow = Flow::of_field(&terms.field, compilation.energy.options.keeps.iter().zip(&terms.keeps));
     let proofs = proof::integrals(&mut compilation.graph, &flow);
     check::integrals(compilation, &terms.keeps, &proofs)?;
+    let measure = check::measure(compilation, terms, &terms.field)?;
     let Compilation { graph, names, .. } = compilation;
     let liouville = derive::liouville(graph, &terms.field, &terms.partial);
     match liouville.kept() {
@@ -20,6 +21,6 @@ pub(super) fn derived(compilation: &mut Compilation<'_>, terms: &Terms) -> Resul
     let parted = Parted::of_field(graph, &flow); // S, known or searched for
     let pieces = derive::parts(graph, &flow, parted.as_ref(), None);
     let system = System { pieces, ..derive::flow(compilation, &flow, &terms.partial, None) };
-    let source = Source::Field(FieldFindings { proofs, liouville, parted });
+    let source = Source::Field(FieldFindings { proofs, measure, liouville, parted });
     Ok(Derived { system, legendre: None, findings: Findings::Flow { flow, source } })
 }

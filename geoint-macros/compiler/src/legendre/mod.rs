@@ -8,6 +8,7 @@ mod definite;
 mod first_order;
 mod friction;
 mod idle_coordinates;
+mod inverse;
 mod kinks;
 mod mass;
 mod parts;
@@ -20,6 +21,7 @@ use crate::ir::{Graph, Id, Node, Symbol, UndefinedAt};
 pub(crate) use definite::{Definite, definite};
 pub(crate) use first_order::{Canonical, FirstOrder, FirstOrderFlaw, LARGEST_BLOCK, first_order};
 pub(crate) use friction::{Friction, NoFriction, friction, rate};
+pub(crate) use inverse::{Inverse, inverse};
 use parts::Parts;
 
 /// A Lagrangian with its derivatives and the route to its steps.

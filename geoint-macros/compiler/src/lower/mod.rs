@@ -61,6 +61,8 @@ pub(crate) struct Terms {
     pub(crate) entropy: Option<Entropy>,
     /// First integrals in `keeps(…)`.
     pub(crate) keeps: Vec<Integral>,
+    /// Density ρ of an invariant measure. Steps do not evaluate it.
+    pub(crate) measure: Option<(Id, Place)>,
     /// Square matrix of damping.
     pub(crate) damping: Option<Vec<Vec<Id>>>,
     /// Force without a potential, one entry for each coordinate.
@@ -137,6 +139,8 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
     let constraints = options.constraint.as_ref().map_or_else(Vec::new, |expr| lowering.constraints(expr));
     let rolling = options.rolling.as_ref().map_or_else(Vec::new, |expr| lowering.rolling(expr, energy));
     let partial = lowering.all_partial();
+    // No step evaluates the density, so its domain is none of the system.
+    let measure = options.measure.as_ref().map(|expr| lowering.number(expr));
     let Lowering { graph, errors, places, constants, .. } = lowering;
     let (energy, friction) = (field[0], None);
     let terms = Terms {
@@ -145,6 +149,7 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
         structure,
         entropy,
         keeps,
+        measure,
         damping,
         force,
         friction,

@@ -89,7 +89,7 @@ const L: Option<Form> = Some(Form::Lagrangian);
 const E: Option<Form> = None;
 
 /// All arguments, in the order of messages.
-const KEYS: [Key; 28] = [
+const KEYS: [Key; 29] = [
     key("name", "`name = Type`", &[H, C, F, L], |to, _, input| set(&mut to.name, input)),
     key("x", "`x = argument`", &[F], |to, _, input| role(to, Role::Position, input)),
     key("q", "`q = argument`", &[H, C, L], |to, _, input| role(to, Role::Position, input)),
@@ -100,6 +100,7 @@ const KEYS: [Key; 28] = [
     key("keeps", "`keeps(integral = …, but = […])`", &[F], |to, _, input| {
         flow::keeps(input).map(|kept| to.keeps = kept)
     }),
+    key("measure", "`measure = ρ`", &[F, C], |to, _, input| set(&mut to.measure, input)),
     key("damping", "`damping = coefficients`", &[H], |to, _, input| set(&mut to.damping, input)),
     key("rayleigh", "`rayleigh = R`", &[L], |to, _, input| set(&mut to.rayleigh, input)),
     key("force", "`force = F`", &[H, L], |to, _, input| set(&mut to.force, input)),
@@ -154,7 +155,7 @@ const KEYS: [Key; 28] = [
 ];
 
 /// Arguments of other attributes, with the advice for this attribute.
-const ELSEWHERE: [(&str, Form, &str); 5] = [
+const ELSEWHERE: [(&str, Form, &str); 7] = [
     ("damping", Form::Contact, "a contact system is damped by the terms in `s` of its energy, such as `+ gamma * s`"),
     (
         "damping",
@@ -163,9 +164,13 @@ const ELSEWHERE: [(&str, Form, &str); 5] = [
     ),
     ("constraint", Form::Contact, NO_ACTION),
     ("rolling", Form::Contact, NO_ACTION),
+    ("measure", Form::Hamiltonian, MEASURE_OF_ENERGY),
+    ("measure", Form::Lagrangian, MEASURE_OF_ENERGY),
     ("structure", Form::Field, "x' = S(x) ∇H follows from an energy: put H under `#[hamiltonian(structure = …)]`"),
 ];
 
+const MEASURE_OF_ENERGY: &str = "a density belongs to a field x' = f(x): write f under `#[vector_field(measure = …)]`, or p·f under \
+                                 `#[contact_hamiltonian(lift, measure = …)]`";
 const NO_ACTION: &str = "constraints beside an action are not supported: they are for `#[hamiltonian]`, and for `#[lagrangian]` without `s`";
 
 const fn key(name: &'static str, written: &'static str, attributes: &'static [Option<Form>], read: Reader) -> Key {

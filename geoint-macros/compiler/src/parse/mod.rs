@@ -169,10 +169,18 @@ impl Energy {
 
     /// Returns the other expressions in the attribute's arguments. They are written in the language of the body.
     pub(crate) fn expressions(&self) -> impl Iterator<Item = &Expr> {
-        let Options { damping, rayleigh, constraint, structure, entropy, friction, keeps, .. } = &self.options;
+        let Options { damping, rayleigh, constraint, structure, entropy, friction, keeps, measure, .. } = &self.options;
         let structure = structure.iter().filter(|form| form.is_expression()).map(|form| &form.expr);
         let kept = keeps.iter().flat_map(|kept| [Some(&kept.value), kept.but.as_ref()].into_iter().flatten());
-        damping.iter().chain(rayleigh).chain(constraint).chain(structure).chain(entropy).chain(friction).chain(kept)
+        damping
+            .iter()
+            .chain(rayleigh)
+            .chain(constraint)
+            .chain(structure)
+            .chain(entropy)
+            .chain(friction)
+            .chain(kept)
+            .chain(measure)
     }
 
     /// Returns the scalars of an argument as symbols. Parameters are numbered consecutively.
@@ -247,6 +255,9 @@ pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Ener
     if let (Form::Field, Some(x)) = (form, &coordinates) {
         returns_shape_of(x, &item, &options.outside, &float, &mut errors);
     }
+    if form == Form::Contact && options.lift.is_none() && options.measure.is_some() {
+        errors.at(&options.measure, MEASURE_WITHOUT_LIFT);
+    }
     flow::names(&options.keeps, &mut errors);
     let name = options.name.clone().unwrap_or_else(|| camel_case(&item.sig.ident));
     if name == "R" {
@@ -266,3 +277,6 @@ pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Ener
         None => Err(errors),
     }
 }
+
+const MEASURE_WITHOUT_LIFT: &str = "the density of H(q, p, s) is known, |H|^−(n+1), and `REPORT` names it: leave `measure` out; a density of the field q' = X(q) \
+                                    stands beside `lift`, with H = p·X(q)";

@@ -19,7 +19,7 @@ const IMPORTED: &str = "\
     PerturbedSystem PhaseSpace PieceClock PrincipalAxes Given QuadraticKinetic Rattle Real TaylorIntegrator \
     TaylorMethod Separable Snapshot Span Square State VelocityEnergy StepError Unmet VelocityForm canonical_rate \
     energy_of from_positions fourth_order is_positive_semidefinite modified_verlet gradient_kick planar_step rate_of \
-    recurrence slope state_on_constraint unmet velocity_of";
+    recurrence lagrangian_of constrained_lagrangian_of slope state_on_constraint unmet velocity_of";
 
 /// Returns the items of the runtime that generated code imports.
 pub(crate) fn imported() -> impl Iterator<Item = &'static str> {

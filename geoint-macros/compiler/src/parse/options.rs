@@ -42,6 +42,8 @@ pub(crate) struct Options {
     pub(crate) friction: Option<Expr>,
     /// First integrals of a vector field.
     pub(crate) keeps: Vec<Kept>,
+    /// Density ρ of an invariant measure of a field.
+    pub(crate) measure: Option<Expr>,
     /// Pieces into which the energy is split.
     pub(crate) split: Option<Vec<Expr>>,
     /// Coordinates in which methods move bodies.

@@ -76,7 +76,7 @@ fn add_alone(graph: &mut Graph, [positions, momenta]: &mut [Id; 2], energy: Id) 
     *side = graph.add(*side, energy);
 }
 
-/// Adds coefficient·monomial to the powers of forms. Returns `None` if the monomial is not a product of at most `MAX_DEGREE` coordinates.
+/// Adds coefficient·monomial to the powers of forms. Returns `None` if the monomial is not a product of one to `MAX_DEGREE` coordinates.
 fn add_forms(graph: &mut Graph, forms: &mut Powers, monomial: &Monomial, coefficient: Id) -> Option<()> {
     if !is_whole(monomial) {
         return None;
@@ -84,7 +84,7 @@ fn add_forms(graph: &mut Graph, forms: &mut Powers, monomial: &Monomial, coeffic
     let repeated = |(symbol, power): (&Symbol, &Ratio)| std::iter::repeat_n(*symbol, power.numerator.max(0) as usize);
     let factors: Vec<Symbol> = monomial.iter().flat_map(repeated).collect();
     let degree = factors.len() as i128;
-    if degree > MAX_DEGREE {
+    if !(1..=MAX_DEGREE).contains(&degree) {
         return None;
     }
     let share = Ratio { numerator: 1, denominator: (1..=degree).product::<i128>() << (degree - 1) };

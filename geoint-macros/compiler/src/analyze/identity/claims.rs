@@ -106,6 +106,16 @@ pub(crate) fn divergence(graph: &mut Graph, x: &[Symbol], field: &[Id]) -> (Id, 
     (graph.sum(&terms), sum_is_zero_along(graph, &terms, x, field))
 }
 
+/// Decides div(ρf)/ρ = div f + f·∇ρ/ρ = 0 for the field f and the density ρ, which is not zero everywhere.
+pub(crate) fn is_density(graph: &mut Graph, x: &[Symbol], field: &[Id], density: Id) -> Identity {
+    let slopes = diff::jacobian(graph, field, x);
+    let mut terms: Vec<Id> = (0..x.len()).map(|i| slopes[i][i]).collect();
+    for change in diff::derivative_along(graph, x, field, density, None) {
+        terms.push(graph.div(change, density));
+    }
+    sum_is_zero_along(graph, &terms, x, field)
+}
+
 /// Returns the integrals that are functions of earlier ones, by their gradients. `None` if this cannot be decided.
 pub(crate) fn dependent(graph: &mut Graph, x: &[Symbol], integrals: &[Id]) -> Option<Dependent> {
     let gradients = diff::jacobian(graph, integrals, x);

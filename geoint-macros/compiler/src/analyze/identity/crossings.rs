@@ -35,7 +35,7 @@ struct Changing {
 
 /// Returns the edges on which a function is not proven to have one value: its limits from both sides, and its value on the edge itself.
 pub(crate) fn edges_of_jumps(graph: &mut Graph, function: Id) -> Vec<Edge> {
-    let edges = edges(graph, function);
+    let edges = edges(graph, &[function]);
     edges.iter().filter(|edge| may_jump_at(graph, function, edge, &edges)).cloned().collect()
 }
 
@@ -110,6 +110,24 @@ pub(crate) fn may_jump(graph: &mut Graph, x: &[Symbol], field: &[Id], function: 
     irregular_turn(graph, function).map(|angle| Discontinuity { equal: [angle, angle], node: angle, kind: Kind::Turn })
 }
 
+/// Returns a surface on which the flux of the density ρ along the field f may jump. Such a surface gains or loses measure although div(ρf) = 0 on both sides.
+///
+/// The flux through an edge g = 0 is ρ·(f·∇g + ∂g/∂t). Every angle counts as a jump.
+pub(crate) fn flux_may_jump(graph: &mut Graph, x: &[Symbol], field: &[Id], density: Id) -> Option<Discontinuity> {
+    let functions = [field, &[density]].concat();
+    let edges = edges(graph, &functions);
+    for edge in &edges {
+        let mut flux = diff::derivative_along(graph, x, field, edge.difference, None);
+        flux.iter_mut().for_each(|term| *term = graph.mul(density, *term));
+        let flux = graph.sum(&flux);
+        if may_jump_at(graph, flux, edge, &edges) {
+            return Some(Discontinuity { equal: edge.equal, node: edge.changing[0].node, kind: Kind::Crossed });
+        }
+    }
+    let angle = functions.iter().find_map(|function| angles(graph, *function).first().copied())?;
+    Some(Discontinuity { equal: [angle, angle], node: angle, kind: Kind::Turn })
+}
+
 /// Returns whether solutions may lead across the zeros of a difference.
 ///
 /// A factor g keeps its sign if its rate is zero, or if its rate is Lipschitz and vanishes where g does: then |g'| ≤ L·|g|. The second proof needs a g with
@@ -155,9 +173,9 @@ fn is_exact(graph: &mut Graph, x: &[Symbol], field: &[Id], difference: Id) -> bo
 }
 
 /// Returns the edges of all conditions and signs, except those that read parameters only: parameters are constant during a run.
-fn edges(graph: &mut Graph, function: Id) -> Vec<Edge> {
+fn edges(graph: &mut Graph, functions: &[Id]) -> Vec<Edge> {
     let mut edges: Vec<Edge> = vec![];
-    for node in graph.reachable(&[function]) {
+    for node in graph.reachable(functions) {
         let (a, b, [below, on_edge, above]) = match *graph.node(node) {
             Node::Compare(relation, a, b) => {
                 let holds = match relation {

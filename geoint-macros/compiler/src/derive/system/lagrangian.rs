@@ -4,7 +4,7 @@ use super::{Kernels, System};
 use crate::compilation::Compilation;
 use crate::diff;
 use crate::ir::Id;
-use crate::legendre::{Canonical, FirstOrder, Legendre, Route};
+use crate::legendre::{self, Canonical, FirstOrder, Inverse, Legendre, Route};
 use crate::schedule::{Kernel, Levels, Output, Routine, Scheduler, Space};
 
 /// L, and the maps between velocities and momenta.
@@ -26,7 +26,27 @@ impl Lagrangian {
     }
 }
 
+/// The Lagrangian of a system that is given by its energy, if ∂H/∂p = v has a formula for p.
+#[derive(Debug)]
+pub(crate) struct OfEnergy {
+    /// L as a function of velocities, for the report.
+    pub(crate) lagrangian: Id,
+    /// p = ∂L/∂v.
+    pub(crate) momenta: Routine,
+}
+
 impl System {
+    /// Adds the Lagrangian of an energy, if it has a formula.
+    pub(crate) fn with_inverse(mut self, compilation: &mut Compilation<'_>, energy: Id) -> System {
+        let (degrees, positions) = (compilation.degrees(), compilation.positions());
+        let found = legendre::inverse(&mut compilation.graph, energy, degrees);
+        self.of_energy = found.map(|Inverse { lagrangian, momenta }| OfEnergy {
+            lagrangian,
+            momenta: Routine::array("momentum", "momentum", &positions, momenta),
+        });
+        self
+    }
+
     /// Adds L with its momenta and velocities.
     pub(crate) fn of_lagrangian(self, compilation: &Compilation<'_>, legendre: &Legendre) -> System {
         let Legendre { lagrangian, momenta, route, divisors, .. } = legendre;

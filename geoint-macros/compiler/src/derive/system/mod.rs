@@ -12,7 +12,7 @@ pub(crate) use kernels::{
     MassKernels, MixedDerivatives, StageKernel, StepKernel, VelocityKernels, VelocityStages,
 };
 pub(crate) use kick_drift::{GradientKick, KickDrift, Undamped};
-pub(crate) use lagrangian::Lagrangian;
+pub(crate) use lagrangian::{Lagrangian, OfEnergy};
 pub(crate) use perturbed::{Inner, Perturbed};
 
 use super::domain::Domain;
@@ -50,6 +50,8 @@ pub(crate) struct System {
     pub(crate) domain: Domain,
     /// Velocities and momenta of a Lagrangian.
     pub(crate) lagrangian: Option<Lagrangian>,
+    /// Momenta from velocities, for a system that is given by its energy.
+    pub(crate) of_energy: Option<OfEnergy>,
     /// Taylor coefficients of the solution.
     pub(crate) jet: Option<JetKernel>,
 }
@@ -202,6 +204,7 @@ impl System {
             integrals: None,
             domain,
             lagrangian: None,
+            of_energy: None,
             jet: None,
         }
     }
@@ -237,6 +240,9 @@ impl System {
         }
         if let Some(lagrangian) = &mut self.lagrangian {
             lagrangian.schedule(scheduler);
+        }
+        if let Some(OfEnergy { momenta, .. }) = &mut self.of_energy {
+            momenta.schedule(scheduler);
         }
         if let Some(jet) = &mut self.jet {
             jet.start.schedule(scheduler);

@@ -1,6 +1,6 @@
 //! Reports H(q, p, t).
 
-use super::{Report, friction, pieces, solver};
+use super::{Report, friction, lagrangian, pieces, solver};
 use crate::analyze::{MeanValue, Split, Structure};
 use crate::derive::{Fact, FieldKernels, Kernels, Perturbed, System};
 use crate::diff::Gradient;
@@ -13,6 +13,7 @@ pub(super) fn report(report: &mut Report<'_>, structure: &Structure, gradient: &
     writeln!(report, "H = {}", report.formula(structure.energy));
     report.derivatives("H", Symbol::Position, &gradient.q, formula);
     report.derivatives("H", Symbol::Momentum, &gradient.p, formula);
+    lagrangian::of_energy(report, system);
 
     writeln!(report, "\nStructure");
     match &structure.split {

@@ -1,6 +1,6 @@
 //! Reports H(q, p, t) with constraints.
 
-use super::{Report, friction, plural};
+use super::{Report, friction, lagrangian, plural};
 use crate::analyze::Binding;
 use crate::derive::{ConstrainedFindings, Kernels, System};
 use crate::diff::constraint::Row;
@@ -9,7 +9,7 @@ use crate::parse::Role;
 
 /// Reports the equations, conserved functions and steps.
 pub(super) fn report(report: &mut Report<'_>, found: &ConstrainedFindings, system: &System) {
-    equations(report, found);
+    equations(report, found, system);
     let rolls = found.rows.iter().any(|row| row.value.is_none());
     let kept = &found.kept;
     writeln!(report, "\nConserved by the flow and by `DiscreteGradient`, at least");
@@ -46,12 +46,13 @@ fn multiplier(rows: &[Row], k: usize) -> String {
 }
 
 /// Writes the energy, its gradient, the constraints, and damping.
-fn equations(report: &mut Report<'_>, found: &ConstrainedFindings) {
+fn equations(report: &mut Report<'_>, found: &ConstrainedFindings, system: &System) {
     let (rows, gradient, structure) = (&found.rows, &found.gradient, &found.structure);
     let (q, p) = (report.name_of(Role::Position), report.name_of(Role::Momentum));
     writeln!(report, "H = {}", report.formula(structure.energy));
     report.derivatives("H", Symbol::Position, &gradient.q, Report::excerpt);
     report.derivatives("H", Symbol::Momentum, &gradient.p, Report::excerpt);
+    lagrangian::of_energy(report, system);
     let (positions, velocities): (Vec<&Row>, Vec<&Row>) = rows.iter().partition(|row| row.value.is_some());
     if !positions.is_empty() {
         let others = if velocities.is_empty() { "" } else { " + Aᵀμ" };

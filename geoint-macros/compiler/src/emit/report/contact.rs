@@ -35,6 +35,10 @@ fn structure(report: &mut Report<'_>, energy: Id, gradient: &Gradient, system: &
         }
         false => writeln!(report, "- ∂H/∂s = {}, and H' = −H ∂H/∂s{explicit}", report.excerpt(gradient.s)),
     }
+    if explicit.is_empty() && report.compilation.energy.options.lift.is_none() {
+        let power = report.compilation.degrees() + 1;
+        writeln!(report, "- |H|^−{power} is the density of an invariant measure where H ≠ 0");
+    }
     match analyze::acts_back(graph, gradient.s, gradient.q.iter().chain(&gradient.p).copied()) {
         true => writeln!(report, "- s acts back on positions or momenta"),
         false => writeln!(report, "- positions and momenta move without s: `without_action` leaves it out"),

@@ -1,6 +1,6 @@
 //! Reports the divergence of a field, its energy, and the structure that was found.
 
-use super::{Report, structure};
+use super::{Report, measure, structure};
 use crate::analyze::Identity;
 use crate::analyze::crossings::Discontinuity;
 use crate::analyze::liouville::{NoEnergy, Open};
@@ -8,7 +8,10 @@ use crate::check::wording::{at_witness, proven, undecided};
 use crate::derive::{FieldFindings, Liouville, Multiplier, Parted, Recovered};
 
 /// Reports the divergence, the energy, and S if it was searched for.
-pub(super) fn report(report: &mut Report<'_>, FieldFindings { liouville, parted, .. }: &FieldFindings) {
+pub(super) fn report(
+    report: &mut Report<'_>,
+    FieldFindings { liouville, parted, measure: invariant, .. }: &FieldFindings,
+) {
     divergence(report, liouville);
     match &liouville.energy {
         Some(Ok(recovered)) => energy(report, recovered),
@@ -23,6 +26,9 @@ pub(super) fn report(report: &mut Report<'_>, FieldFindings { liouville, parted,
     }
     if let Some(parted @ Parted { unique: Some(_), .. }) = parted {
         structure::found(report, parted);
+    }
+    if let Some(invariant) = invariant {
+        measure::report(report, invariant);
     }
 }
 

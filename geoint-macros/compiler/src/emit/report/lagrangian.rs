@@ -1,9 +1,10 @@
 //! Reports a Lagrangian and its energy.
 
 use super::Report;
+use crate::derive::{OfEnergy, System};
 use crate::ir::{Graph, Symbol};
 use crate::legendre::{Kinetic, Legendre, Part};
-use crate::parse::Role;
+use crate::parse::{Form, Role};
 
 /// Reports L, its derivatives, and the relation between momenta and velocities.
 pub(super) fn report(report: &mut Report<'_>, legendre: &Legendre) {
@@ -48,6 +49,20 @@ pub(super) fn report(report: &mut Report<'_>, legendre: &Legendre) {
         );
     }
     writeln!(report)
+}
+
+/// Reports the Lagrangian of a system that is given by its energy.
+pub(super) fn of_energy(report: &mut Report<'_>, system: &System) {
+    if report.compilation.form != Form::Hamiltonian {
+        return;
+    }
+    let (p, v) = (report.name_of(Role::Momentum), report.name_of(Role::Velocity));
+    match &system.of_energy {
+        Some(OfEnergy { lagrangian, .. }) => {
+            writeln!(report, "L = {}, with {v} = ∂H/∂{p}", report.excerpt(*lagrangian));
+        }
+        None => writeln!(report, "∂H/∂{p} = {v} has no formula for {p}: L by values only"),
+    }
 }
 
 /// Reports the mass matrix of a part, or the rule for its conjugate.

@@ -10,6 +10,7 @@ mod flow;
 mod forced;
 mod friction;
 mod lagrangian;
+mod measure;
 mod pieces;
 mod structure;
 mod velocities;
@@ -118,8 +119,9 @@ pub(super) fn report(compilation: &Compilation<'_>, derived: &Derived) -> String
     match findings {
         Findings::Canonical { structure, gradient } => canonical::report(&mut report, structure, gradient, system),
         Findings::Constrained(findings) => constraints::report(&mut report, findings, system),
-        Findings::Contact { energy, gradient, dissipated } => {
+        Findings::Contact { energy, gradient, dissipated, measure: invariant } => {
             contact::report(&mut report, *energy, gradient, dissipated.as_ref(), system);
+            invariant.iter().for_each(|invariant| measure::report(&mut report, invariant));
         }
         Findings::Forced { energy, forces, drag } => {
             forced::report(&mut report, *energy, forces.as_ref(), drag.as_deref());

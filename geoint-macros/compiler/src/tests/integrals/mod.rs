@@ -1,6 +1,7 @@
 //! Mean velocities of conservative steps: they conserve the integrals, and their derivatives are complete.
 
 mod boundaries;
+mod measures;
 mod messages;
 mod reports;
 mod turns;

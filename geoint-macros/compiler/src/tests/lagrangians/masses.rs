@@ -39,7 +39,7 @@ fn constant_diagonal_masses_give_the_usual_energy() {
     }
 }
 
-/// The code of a step equals the code of the energy. Only the value of H keeps the spelling of L.
+/// The code of a step equals the code of the energy. Only the value of H keeps the spelling of L, and an energy gets momenta from velocities.
 #[test]
 fn constant_diagonal_masses_give_the_code_of_the_energy() {
     let properties = |form, item| -> Vec<(String, String)> {
@@ -71,7 +71,7 @@ fn constant_diagonal_masses_give_the_code_of_the_energy() {
         assert!(of_momenta.iter().any(|(name, _)| name.starts_with(kernel)), "{kernel}");
     }
     let differ = of_momenta.iter().filter(|code| !of_velocities.contains(code)).map(|(name, _)| name.as_str());
-    assert_eq!(differ.collect::<Vec<_>>(), ["PhaseSpace < R >"]);
+    assert_eq!(differ.collect::<Vec<_>>(), ["PhaseSpace < R >", "OfVelocities < R >"]);
 }
 
 /// Cartesian kinematics: sin² + cos² is 1, products of sines and cosines become functions of differences, and vanishing terms are zero.

@@ -1,5 +1,6 @@
 //! The Legendre transformation at random states, and Lagrangians without an energy.
 
+mod inverse;
 mod masses;
 mod messages;
 mod signs;

@@ -1,8 +1,8 @@
-//! Can a splitting integrate a contact energy of the form E(q, p) f(s)?
+//! How does a system cool if its friction and its clock follow the action?
 //!
-//! H = E(q, p) f(s) is the form of contact thermostats (A. Bravetti & D. Tapias, Phys. Rev. E 93 (2016) 022139). It combines friction E f'(s)
-//! with a clock of rate f(s). For f = eᵏˢ the flows of (p²/2) f and V f are both known. Each changes p and s, and the first also changes q.
-//! The energy decays by an exact law: H' = −k H², hence 1/H = 1/H₀ + k t. The decay of E becomes slower as E becomes smaller.
+//! H = E(q, p) f(s) combines friction E f'(s) with a clock of rate f(s). For f = eᵏˢ the flows of (p²/2) f and V f are both known. Each changes
+//! p and s, and the first also changes q. The energy decays by an exact law: H' = −k H², hence 1/H = 1/H₀ + k t. The decay of E becomes slower
+//! as E becomes smaller. Systems that keep a temperature are in the example `sampling`.
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, largest, orbit, order, table};
@@ -12,12 +12,12 @@ use std::error::Error;
 
 /// A pendulum, at rest with energy 0, with a clock and friction that follow the action.
 #[contact_hamiltonian]
-fn thermostat(q: f64, p: f64, s: f64, k: f64) -> f64 {
+fn cooling(q: f64, p: f64, s: f64, k: f64) -> f64 {
     let sine = (q / 2.0).sin();
     (p * p / 2.0 + 2.0 * sine * sine) * (k * s).exp()
 }
 
-const SYSTEM: Thermostat = Thermostat { k: 0.3 };
+const SYSTEM: Cooling = Cooling { k: 0.3 };
 const START: ContactState<f64> = ContactState { t: 0.0, q: 1.0, p: 1.8, s: 0.0 };
 
 fn energy(x: &ContactState<f64>) -> f64 {
@@ -25,7 +25,7 @@ fn energy(x: &ContactState<f64>) -> f64 {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    println!("{}", Thermostat::REPORT);
+    println!("{}", Cooling::REPORT);
     let law = |t: f64| 1.0 / (1.0 / SYSTEM.energy(&START) + SYSTEM.k * t);
     let off = |states: Vec<ContactState<f64>>| largest(states.iter().map(|x| SYSTEM.energy(x) / law(x.t) - 1.0));
     let (mut rows, mut errors) = (vec![], vec![]);
@@ -47,7 +47,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let path = states.iter().map(|x| (x.q, x.p)).collect();
     let path = Panel::new(
-        "A pendulum with its thermostat",
+        "A pendulum that cools",
         "ContactSplitting, h = 0.1, up to t = 100; k = 0.3; unit mass, length and gravity",
         [Axis::linear("q (rad)", -2.5..2.5), Axis::linear("p", -2.2..2.2)],
         vec![Curve::line("(q, p) from (1, 1.8)", palette::BLUE, path).width(1.2)],
@@ -63,10 +63,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         curve("E, h = 0.1", palette::BLUE, &energy),
     ];
     let decay = Panel::new(
-        "Decay of H and E under a thermostat",
+        "Decay of H and E",
         "ContactSplitting, k = 0.3; H at every fifth step; unit mass, length and gravity",
         [Axis::linear("time", 0.0..100.0), Axis::decades("energy", -2.0..0.5)],
         decay,
     );
-    figure("contact_thermostat.svg", (4, 3), &[path, decay])
+    figure("cooling.svg", (4, 3), &[path, decay])
 }
