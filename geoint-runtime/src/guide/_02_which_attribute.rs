@@ -92,8 +92,7 @@
 //! - **A force with a potential** is a term of the energy, as `- a * (w * t).sin() * q` with an argument `t: f64`. Methods for T(p) + V(q) still
 //!   apply.
 //! - **Any other force** is `force = F(q, v, t)` under `hamiltonian` and `lagrangian`; v is the velocity. Use `Gauss` or `DiscreteGradient`.
-//! - **Bars and closed chains** are `constraint = [g]` with g(q, t) = 0. Use `Rattle` or `DiscreteGradient`. **Wheels and blades** are `rolling = [A·v + b]`.
-//!   See [mechanisms](super::_10_mechanisms).
+//! - **Bars and closed chains** are `constraint = [g]`, **wheels and blades** `rolling = [A·v + b]`. See [mechanisms](super::_10_mechanisms).
 //! # Recipes
 //! - **Poincaré section.** `sim.crossings(Direction::Up, |x| x.q[0]).take(100)` yields the points with q₀ = 0. See [events](super::_12_events).
 //! - **Impact.** `sim.until_event(t, Direction::Down, |x| x.q)` stops at q = 0. Then `set_state` reverses the momentum.

@@ -81,15 +81,10 @@
 //!   ±π the angle jumps by 2π, and `sim.energy()` by 2π·torque: this is the work of one turn. The motion does not jump. Change `torque` by
 //!   `set_system`. A prescribed motion is a constraint that reads t, as in the example `crank`.
 //! - **Forces.** `sim.multipliers()` returns λ of the forces −Gᵀλ in the order of the constraints, G = ∂g/∂q: tensions and torques of motors.
-//! - **Momenta** are tangent to the constraints at the ends of steps. If T is not quadratic, those of `DiscreteGradient` are off by O(h²):
-//!   `sim.state_on_constraint()?` returns a state without this error. After `set_system` the next step checks positions, not velocities. If a bar
-//!   changes its length, set a state on the new constraints first.
-//!
+//! - **Momenta** are tangent to the constraints, but for `DiscreteGradient` with a T that is not quadratic: use `sim.state_on_constraint()?` there.
 //! # Wheels and blades
-//! A wheel that rolls binds velocities: `rolling = [r]` with r = A(q, t)v + b(q, t), in any number and beside `constraint`. The examples `sleigh` and
-//! `rolling` show a blade, a disk and a ball. `DiscreteGradient` keeps r at rounding, and the energy if b = 0. `RK4`, `DOP853` and `adaptive` keep r to
-//! their error. No method is symplectic, because the motion is not: it may contract volume. A row that is the rate of a function of q is refused, and
-//! the report names pairs of rows that are. `multipliers()` returns μ of the forces Aᵀμ.
+//! `rolling = [r]` with r = A(q, t)v + b(q, t) stands alone or beside `constraint`. The examples `sleigh` and `rolling` show a blade, a disk and a ball.
+//! `DiscreteGradient` keeps r at rounding, and the energy if b = 0. `RK4`, `DOP853` and `adaptive` keep r to their error. `multipliers()` has Aᵀμ.
 //! # Kinds of Lagrangians
 //! | L | methods |
 //! |---|---|
@@ -118,10 +113,8 @@
 //! - A mass matrix that is singular at every state is a compile error. The message names a velocity without kinetic energy.
 //! - A singular mass matrix on the way of a step, as at the pole of spherical angles: [`OutsideDomain`](crate::Failure::OutsideDomain).
 //! - A start off a constraint: [`OffConstraint`](crate::Failure::OffConstraint). `state_on_constraint` returns the nearest valid state.
-//! - A dead point, where all bars lie in one line and two motions are possible: [`DependentConstraints`](crate::Failure::DependentConstraints) or
-//!   `Singular`.
+//! - A dead point with all bars in one line, from which two motions lead on: [`DependentConstraints`](crate::Failure::DependentConstraints), `Singular`.
 //! - A velocity outside the domain of L, such as v > c, or one that its momentum does not determine: [`NoMomentum`](crate::Failure::NoMomentum).
 //! - With constraints, `force` and an action do not compile. With `constraint`, adaptive runs and explicit methods do not.
-//! - In an open chain, put a prescribed motion q(t) into L.
 //!
 //! Next: [fields with integrals and rigid bodies](super::_11_fields), [events](super::_12_events), [games and real time](super::_13_real_time).

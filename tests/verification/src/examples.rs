@@ -126,6 +126,13 @@ const EXAMPLES: &[(&str, &str, &str)] = &[
     ("lagrangian", "a double pendulum moves as by its energy", ""),
     ("rotating_hoop", "equilibrium of a bead, cos q = g/(rΩ²)", ""),
     ("four_bar", "the curve of a coupler", ""),
+    ("crank", "the joint of a driven linkage by geometry", ""),
+    ("sleigh", "the turn π√(1 + I/(ma²)) of a sleigh", "S. A. Chaplygin, Mat. Sb. 28 (1912) 303"),
+    (
+        "rolling",
+        "a disk on a slope, a ball on a turning table",
+        "A. M. Bloch, *Nonholonomic Mechanics and Control* (2003)",
+    ),
     ("brachistochrone", "a cycloid", "Joh. Bernoulli, Acta Eruditorum (1697)"),
     ("relativistic", "periods by a quadrature", ""),
     ("acrobot", "energy errors of RK4 in steps of 0.2 s", "the acrobot of Gymnasium"),
