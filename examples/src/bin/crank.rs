@@ -132,7 +132,7 @@ fn draw(path: &[Sample]) -> Result<(), Box<dyn Error>> {
     let linkage = Panel::new(
         "A linkage with a motor",
         "DiscreteGradient, h = 0.01 s, for 10 s",
-        [Axis::linear("x in m", -0.9..2.1), Axis::linear("y in m", -0.7..1.3)],
+        [Axis::linear("x in m", -0.5..2.1), Axis::linear("y in m", -0.5..1.45)],
         curves,
     )
     .equal();

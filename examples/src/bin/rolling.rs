@@ -118,10 +118,9 @@ fn draw(disk: &[State<[f64; 4]>], ball: &[State<[f64; 5]>]) -> Result<(), Box<dy
     let slope = Panel::new(
         "A disk on a slope",
         "h = 0.05 s, for 36 s",
-        [Axis::linear("across the slope in m", -2.0..42.0), Axis::linear("uphill in m", -12.0..12.0)],
+        [Axis::linear("across the slope in m", 0.0..45.0), Axis::linear("uphill in m", -3.0..1.0)],
         curves,
-    )
-    .equal();
+    );
     let paths = vec![
         Curve::line("centre of the ball", palette::VERMILION, ball.iter().map(|s| (s.q[0], s.q[1])).collect()).solid(),
         Curve::dots("", palette::VERMILION, vec![(ball[0].q[0], ball[0].q[1])]),
