@@ -7,5 +7,6 @@ mod figures;
 mod laws;
 mod runs;
 mod moving;
+mod both;
 mod refusals;
 mod rolling;

@@ -1,22 +1,23 @@
-//! Constraints of velocities: errors, laws and controls. References are closed forms, and an extrapolation method with 22 digits.
+//! Constraints of velocities: errors, laws and controls. References are closed forms, and states by an extrapolation method with 22 digits. First errors such as
+//! 4.58e-4 are those of another program.
 
 use crate::systems::orders;
 use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
-/// A particle whose height follows from its way: z' = y x'.
+/// A particle whose height changes with its path: z' = y x'.
 #[hamiltonian(rolling = [v[2] - q[1] * v[0]])]
 fn particle(q: [f64; 3], p: [f64; 3], k: f64) -> f64 {
     (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / 2.0 + k * (q[0] * q[0] + q[1] * q[1]) / 2.0
 }
 
-/// Chaplygin's sleigh: centre of mass and heading; a is the way from the blade to the centre.
+/// Chaplygin's sleigh: centre of mass and heading; a is the distance from the blade to the centre of mass.
 #[lagrangian(rolling = [v[1] * q[2].cos() - v[0] * q[2].sin() - a * v[2]])]
 fn sleigh(q: [f64; 3], v: [f64; 3], m: f64, i: f64, a: f64) -> f64 {
     m * (v[0] * v[0] + v[1] * v[1]) / 2.0 + i * v[2] * v[2] / 2.0
 }
 
-/// The same by the point of contact: a mass matrix that depends on the heading.
+/// The same sleigh with the point of contact as coordinates: a mass matrix that depends on the heading.
 #[lagrangian(rolling = [v[1] * q[2].cos() - v[0] * q[2].sin()])]
 fn sleigh_by_contact(q: [f64; 3], v: [f64; 3], m: f64, i: f64, a: f64) -> f64 {
     let (x, y) = (v[0] - a * v[2] * q[2].sin(), v[1] + a * v[2] * q[2].cos());
@@ -29,14 +30,14 @@ fn disk(q: [f64; 4], v: [f64; 4], m: f64, r: f64, i: f64, j: f64, g: f64) -> f64
     m * (v[0] * v[0] + v[1] * v[1]) / 2.0 + i * v[2] * v[2] / 2.0 + j * v[3] * v[3] / 2.0 + m * g * q[0]
 }
 
-/// A ball on a table that turns: its centre and three angles that stand for its angular velocity.
+/// A ball on a table that turns: its centre, and three numbers whose rates are its angular velocity.
 #[lagrangian(rolling = [v[0] - r * v[3] + omega * q[1], v[1] + r * v[2] - omega * q[0]])]
 fn ball(q: [f64; 5], v: [f64; 5], m: f64, r: f64, omega: f64) -> f64 {
     let i = 0.4 * m * r * r;
     m * (v[0] * v[0] + v[1] * v[1]) / 2.0 + i * (v[2] * v[2] + v[3] * v[3] + v[4] * v[4]) / 2.0
 }
 
-/// Two oscillators and a gearbox between them.
+/// Two oscillators and a gearbox between them, whose ratio depends on a pendulum.
 #[hamiltonian(rolling = [v[0] + (0.8 * q[2].sin() + 0.4 * (2.0 * q[2]).cos()) * v[1]])]
 fn gearbox(q: [f64; 3], p: [f64; 3], c: f64) -> f64 {
     (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / 2.0 + (q[0] * q[0] + q[1] * q[1]) / 2.0 - q[2].cos()
@@ -45,8 +46,8 @@ fn gearbox(q: [f64; 3], p: [f64; 3], c: f64) -> f64 {
 
 const SLEIGH: Sleigh = Sleigh { m: 1.3, i: 0.4, a: 0.5 };
 
-/// From v = −0.6 along the blade, ω = 0.9, heading 0.2 and the point of contact (0, 0).
-fn sleighing() -> State<[f64; 3]> {
+/// The start of the sleigh: −0.6 along the blade, ω = 0.9, heading 0.2 and the point of contact (0, 0).
+fn start_of_sleigh() -> State<[f64; 3]> {
     let (sin, cos) = 0.2_f64.sin_cos();
     SLEIGH.at([0.5 * cos, 0.5 * sin, 0.2], [-0.6 * cos - 0.45 * sin, -0.6 * sin + 0.45 * cos, 0.9])
 }
@@ -85,7 +86,7 @@ fn a_particle_with_a_height() {
     let errors = [0.1, 0.05, 0.025].map(|h| far(ended(Particle { k: 0.0 }, DiscreteGradient, h, start, t).q, exact));
     has_order(2.0, &errors);
     assert!((errors[0] / 4.58e-4 - 1.0).abs() < 0.02, "{errors:?}");
-    // In a spring.
+    // With a spring.
     let start = State::new([1.0, 0.5, 0.0], [0.3, 0.8, 0.15]);
     let exact = [-0.844_888_237_998_635_5, -0.625_308_326_998_897_6, -0.499_996_784_534_301_03];
     let velocity = [0.535_350_523_719_687, 0.706_391_885_702_150_3];
@@ -107,9 +108,10 @@ fn a_particle_with_a_height() {
 fn a_sleigh_turns_round() -> Result<(), StepError> {
     let exact = [-3.629_773_253_476_449_5, -0.327_433_045_197_489_87, 3.582_185_253_001_450_4];
     let contact = |State { q, .. }: State<[f64; 3]>| [q[0] - 0.5 * q[2].cos(), q[1] - 0.5 * q[2].sin(), q[2]];
-    let errors = [0.1, 0.05, 0.025].map(|h| far(contact(ended(SLEIGH, DiscreteGradient, h, sleighing(), 6.0)), exact));
+    let errors =
+        [0.1, 0.05, 0.025].map(|h| far(contact(ended(SLEIGH, DiscreteGradient, h, start_of_sleigh(), 6.0)), exact));
     has_order(2.0, &errors);
-    let mut sim = SLEIGH.integrator(DiscreteGradient, 0.1, sleighing());
+    let mut sim = SLEIGH.integrator(DiscreteGradient, 0.1, start_of_sleigh());
     let energy = sim.energy();
     for _ in 0..200 {
         sim.step()?;
@@ -123,10 +125,11 @@ fn a_sleigh_turns_round() -> Result<(), StepError> {
     sim.advance(800)?;
     let [speed, turning] = along(&sim.state());
     assert!((speed - 0.900_961_025_367_229_3).abs() < 1e-13 && turning.abs() < 1e-13);
-    // Backwards, the sleigh is as it was.
-    let mut back = SLEIGH.integrator(DiscreteGradient, -0.1, ended(SLEIGH, DiscreteGradient, 0.1, sleighing(), 6.0));
+    // A run back in time returns to the start.
+    let mut back =
+        SLEIGH.integrator(DiscreteGradient, -0.1, ended(SLEIGH, DiscreteGradient, 0.1, start_of_sleigh(), 6.0));
     back.advance(60)?;
-    assert!(far(back.state().q, sleighing().q) < 1e-12);
+    assert!(far(back.state().q, start_of_sleigh().q) < 1e-12);
     Ok(())
 }
 
@@ -186,7 +189,7 @@ fn a_ball_on_a_table_runs_in_circles() -> Result<(), StepError> {
     };
     let errors = [0.1, 0.05, 0.025].map(|h| far(place(h), at(10.0)));
     has_order(2.0, &errors);
-    // A table at work: not the energy is constant, but the energy less Ω times an angular momentum.
+    // The table does work: the energy changes, and the energy less Ω times an angular momentum is constant.
     let law = |state: &State<[f64; 5]>| {
         let State { q, p, .. } = state;
         system.energy(state) - omega * (q[0] * p[1] - q[1] * p[0] + p[4])
@@ -208,7 +211,7 @@ fn drift(mut next: impl FnMut() -> f64, start: f64) -> [f64; 5] {
     core::array::from_fn(|_| (0..800).map(|_| next() - start).sum::<f64>() / 800.0)
 }
 
-/// The gearbox tells energy errors that oscillate from those that grow.
+/// On the gearbox some methods lose energy steadily, which a mean over time shows.
 #[test]
 fn a_gearbox_keeps_its_energy() -> Result<(), StepError> {
     let start = State::new([1.0, 0.3, 0.0], [-0.24, 0.6, 2.5]);
@@ -227,32 +230,32 @@ fn a_gearbox_keeps_its_energy() -> Result<(), StepError> {
         energy,
     );
     assert!(failed.is_none() && means.iter().all(|mean| mean.abs() < 1e-11), "{means:?}");
-    // The discrete Lagrange–d'Alembert principle with (A₀ + A₁)(q₁ − q₀) = 0 drifts (Cortés & Martínez 2001).
+    // The discrete Lagrange–d'Alembert principle with (A₀ + A₁)(q₁ − q₀) = 0 drifts, where A₀ and A₁ are the rows at both ends (Cortés & Martínez 2001).
     let mut control = control::Lagrange::new([1.0, 0.3, 0.0], [-0.24, 0.6, 2.5], 0.1);
     let means = drift(|| control.step(), energy);
     assert!(means.windows(2).all(|pair| pair[1] < pair[0] - 0.01), "{means:?}");
     Ok(())
 }
 
-/// Nonholonomic RATTLE keeps a volume, so the sleigh cannot come to rest in its turn: it turns back (McLachlan & Perlmutter 2006).
+/// Nonholonomic RATTLE keeps a volume, so the turning of the sleigh cannot die out: it turns back (McLachlan & Perlmutter 2006).
 #[test]
 fn a_volume_is_wrong_for_the_sleigh() {
-    let speed = control::rattle(&sleighing(), 0.1, 200);
+    let speed = control::rattle(&start_of_sleigh(), 0.1, 200);
     assert!((speed + 0.8996).abs() < 1e-3, "{speed}");
 }
 
-/// Multipliers of a state: explicit methods use them, and the blade pushes with m(x' ω + …) across its direction.
+/// Multipliers of a state: explicit methods use them, and they are the force of the blade across its direction.
 #[test]
 fn multipliers_are_forces() -> Result<(), StepError> {
     let exact = [-3.629_773_253_476_449_5, -0.327_433_045_197_489_87];
     let contact = |State { q, .. }: State<[f64; 3]>| [q[0] - 0.5 * q[2].cos(), q[1] - 0.5 * q[2].sin()];
-    let mut sim = SLEIGH.integrator(RK4, 0.01, sleighing());
+    let mut sim = SLEIGH.integrator(RK4, 0.01, start_of_sleigh());
     sim.advance(600)?;
     assert!(far(contact(sim.state()), exact) < 1e-7);
-    let mut sim = SLEIGH.adaptive(DOP853, 1e-12, sleighing());
+    let mut sim = SLEIGH.adaptive(DOP853, 1e-12, start_of_sleigh());
     sim.advance_to(6.0)?;
     assert!(far(contact(sim.state()), exact) < 1e-10);
-    // ω' = −(ma/J) v ω with J = I + ma² is the moment −aλ over I.
+    // ω' = −(ma/J) v ω with J = I + ma² is the moment −aμ of the blade over I, so μ = I m v ω/J.
     let [speed, turning] = along(&sim.state());
     let expected = 0.4 * (1.3 * 0.5 / (0.4 + 1.3 * 0.25)) * speed * turning / 0.5;
     assert!((sim.multipliers()[0] - expected).abs() < 1e-10, "{} {expected}", sim.multipliers()[0]);
@@ -285,10 +288,11 @@ fn reports_say_what_is_bound() {
     assert!(!report.contains("- the energy\n"), "{report}");
 }
 
-/// A start that slips is refused by its row, and put right. So is a step over a point at which rows depend on each other.
+/// A start that slips is refused with the name of its row, and `state_on_constraint` puts it right. A step from a point at which rows depend on each other is
+/// refused, too.
 #[test]
 fn a_start_that_slips() -> Result<(), StepError> {
-    let State { q, p, .. } = sleighing();
+    let State { q, p, .. } = start_of_sleigh();
     let slipping = State::new(q, [p[0], p[1] + 1e-6, p[2]]);
     let row = "v[1]·cos(q[2]) - v[0]·sin(q[2]) - v[2]·a";
     let mut sim = SLEIGH.integrator(DiscreteGradient, 0.1, slipping);
@@ -296,7 +300,7 @@ fn a_start_that_slips() -> Result<(), StepError> {
     assert_eq!(sim.state(), slipping);
     SLEIGH.integrator(DiscreteGradient, 0.1, SLEIGH.state_on_constraint(&slipping)?).step()?;
 
-    /// Two rows that are parallel where x = 1.
+    /// Two rows that are parallel where x = 1 or y = 0.
     #[hamiltonian(rolling = [v[0] - q[1] * v[2], q[0] * v[0] - q[1] * v[2]])]
     fn parallel(q: [f64; 3], p: [f64; 3], m: f64) -> f64 {
         (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / (2.0 * m)
@@ -317,19 +321,19 @@ fn other_numbers() -> Result<(), StepError> {
     let energy = sim.energy();
     sim.advance(1000)?;
     assert!((sim.energy() / energy - 1.0).abs() < 1e-5);
-    // Lengths times 2, masses times 8, times times 4: each state is the same but for powers of two.
+    // Lengths times 2, masses times 8, times times 4: states differ by powers of two only.
     let scaled = Sleigh { m: 8.0 * 1.3, i: 32.0 * 0.4, a: 1.0 };
-    let State { q, p, .. } = sleighing();
+    let State { q, p, .. } = start_of_sleigh();
     let start = State::new([2.0 * q[0], 2.0 * q[1], q[2]], [4.0 * p[0], 4.0 * p[1], 8.0 * p[2]]);
     let (mut one, mut other) =
-        (SLEIGH.integrator(DiscreteGradient, 0.1, sleighing()), scaled.integrator(DiscreteGradient, 0.4, start));
+        (SLEIGH.integrator(DiscreteGradient, 0.1, start_of_sleigh()), scaled.integrator(DiscreteGradient, 0.4, start));
     one.advance(500)?;
     other.advance(500)?;
     let (a, b) = (one.state(), other.state());
     assert_eq!([2.0 * a.q[0], 2.0 * a.q[1], a.q[2]], b.q);
     assert_eq!([4.0 * a.p[0], 4.0 * a.p[1], 8.0 * a.p[2]], b.p);
     for h in [1.0, 10.0, 1e3] {
-        let mut sim = SLEIGH.integrator(DiscreteGradient, h, sleighing());
+        let mut sim = SLEIGH.integrator(DiscreteGradient, h, start_of_sleigh());
         let energy = sim.energy();
         for _ in 0..100 {
             let before = sim.state();
@@ -348,15 +352,16 @@ fn sleigh_by_single(q: [f32; 3], v: [f32; 3], m: f32, i: f32, a: f32) -> f32 {
     m * (v[0] * v[0] + v[1] * v[1]) / 2.0 + i * v[2] * v[2] / 2.0
 }
 
-/// The schemes of the literature, each of which is wrong on one problem.
+/// Two methods of the literature, each of which fails on one of the problems above.
 mod control {
     use geoint_runtime::prelude::State;
 
-    /// The multiplier with which A v = 0 at `q`, for the row A of the sleigh and its inertia.
+    /// The row A(q) of the sleigh.
     fn row(q: [f64; 3]) -> [f64; 3] {
         [-q[2].sin(), q[2].cos(), -0.5]
     }
 
+    /// Inverse masses of the sleigh.
     const W: [f64; 3] = [1.0 / 1.3, 1.0 / 1.3, 1.0 / 0.4];
 
     /// The speed along the blade after so many steps of nonholonomic RATTLE.
@@ -377,7 +382,7 @@ mod control {
         (p[0] * q[2].cos() + p[1] * q[2].sin()) / 1.3
     }
 
-    /// The gearbox by the discrete Lagrange–d'Alembert principle.
+    /// The gearbox with c = 0.5 by the discrete Lagrange–d'Alembert principle.
     pub(super) struct Lagrange {
         before: [f64; 3],
         now: [f64; 3],
@@ -404,7 +409,7 @@ mod control {
             Lagrange { before: q, now: solved(now, q, [1.0, gear(q[2]), 0.0]), h }
         }
 
-        /// Takes a step, and returns the energy by the mean velocity at the middle point.
+        /// Takes a step, and returns the energy at the middle of three points, with the central difference as velocity.
         pub(super) fn step(&mut self) -> f64 {
             let Lagrange { before, now, h } = *self;
             let (f, row) = (force(now), [1.0, gear(now[2]), 0.0]);
@@ -419,7 +424,7 @@ mod control {
 
     /// The point free + κ·row with (A₀ + A₁)(q₁ − q₀) = 0.
     fn solved(free: [f64; 3], from: [f64; 3], row: [f64; 3]) -> [f64; 3] {
-        // A₁ reads z alone, which no multiplier moves.
+        // A₁ reads z alone, and the third entry of `row` is 0.
         let sum = [2.0, gear(from[2]) + gear(free[2])];
         let rest = sum[0] * (free[0] - from[0]) + sum[1] * (free[1] - from[1]);
         let kappa = -rest / (sum[0] * row[0] + sum[1] * row[1]);

@@ -1,4 +1,5 @@
-//! Entry points of the attributes. The output is the user's function, followed by the generated code or by messages.
+//! Entry points of the attributes. The output is the user's function, followed by the generated code or by messages. [`resume`] continues an expansion whose
+//! function is out already.
 
 use crate::diagnostics::{Diagnostics, Result};
 use crate::parse::{Form, Source};

@@ -101,8 +101,8 @@ fn powers(context: &Context<'_>, Edges { checks, arguments }: &Edges) -> TokenSt
     })
 }
 
-/// Returns the statements that return the first violated condition. They read the outputs `arguments`, `enough`, and the matrix `damping` or `friction` of a
-/// routine.
+/// Returns the statements that return the message of the first check that applies. They read outputs of a routine: `arguments`, the matrix `damping` or
+/// `friction`, and `enough`, one square of a sum of squares, which decides most tests alone.
 fn first_of(context: &Context<'_>, checks: &[Check], arguments: &Routine) -> TokenStream {
     let printer = context.printer();
     context.outputs(arguments, |outputs| {

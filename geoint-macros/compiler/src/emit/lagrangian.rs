@@ -1,4 +1,4 @@
-//! Items of systems that are given by a Lagrangian: its value, and the maps between velocities and momenta.
+//! Items of systems with velocities: the value of a Lagrangian, and the maps between velocities and momenta. An energy has a Lagrangian, too.
 
 use super::context::Context;
 use super::implementation::proven;
@@ -104,7 +104,7 @@ pub(super) fn lagrangian(context: &Context<'_>, found: &Lagrangian) -> TokenStre
     }
 }
 
-/// Returns the user's methods of an energy: the value of its Lagrangian, and states from velocities if these have a formula for momenta.
+/// Returns the user's methods of an energy: the value of its Lagrangian, and states from velocities if momenta are a formula of velocities.
 pub(super) fn of_energy(context: &Context<'_>, system: &System) -> TokenStream {
     let lagrangian = match system.kernels {
         Kernels::Constrained(_) => quote!(constrained_lagrangian_of),

@@ -1,10 +1,10 @@
 //! Emission of tokens: the struct with its docs, and the implementations of the runtime's traits.
 //!
-//! Tokens are built directly, never parsed from text. They name items of `::core`, of the runtime, and of the user's signature only.
+//! Tokens are built directly, never parsed from text. They name items of `::core`, of the runtime, and those that the user's function and attribute name.
 //!
-//! - The user's items: `structure` (the struct), `attributes` (of the function and the struct), `outside` (constants and aliases of the user's module), `report`.
-//! - Implementations: `system`, `flow`, `lagrangian`, `poles`, `domain`, `exact` (splittings), `implicit` (implicit steps), `jet` (Taylor coefficients). Their
-//!   signatures are data in `signature`; `implementation` builds them, `missing` builds absent ones.
+//! - The user's items: `structure` (the struct), `attributes` (of the function and the struct), `outside` (checks of the constants and aliases in the attribute), `report`.
+//! - Implementations: `system`, `flow`, `lagrangian`, `poles`, `domain`, `exact` (splittings), `implicit` (implicit steps), `jet` (Taylor coefficients). The
+//!   signatures of traits that some systems lack are data in `signature`. `implementation` builds present and absent ones, `missing` the message of absent ones.
 //! - Printing of routines: `context`, `writer`, `statements`, `loops`, `calls`, `tokens`.
 
 mod attributes;
@@ -115,7 +115,7 @@ fn around(context: &Context<'_>, report: &str, implementations: &TokenStream) ->
             };
         }
     });
-    // Of rustc's lints only those that occur are allowed, because a crate that forbids a lint rejects code that allows it.
+    // Few lints of rustc are allowed, and `deprecated` only if it occurs, because a crate that forbids a lint rejects code that allows it.
     let old = attributes::is_deprecated(context.energy).then(|| quote!(deprecated,));
     let imported = parse::imported().map(|name| format_ident!("{name}"));
     quote! {

@@ -4,7 +4,8 @@
 //! only, because steps end at a jump of the energy. Conditions, signs and angles by `atan2` jump; no other operation of energies does. Poles and ends of domains
 //! are the subject of `derive/domain`.
 //!
-//! A proof uses identities of the graph. A failed proof counts as a jump.
+//! A proof uses identities of the graph. A failed proof counts as a jump. The exception is `share_a_part`: two surfaces count as separate unless one is proven to
+//! contain a part of the other.
 
 use super::angles::{angles, broken_at};
 use super::surface::{moves, parts, vanishes_on, vanishes_on_a_part};
@@ -56,15 +57,15 @@ fn may_jump_at(graph: &mut Graph, function: Id, edge: &Edge, all: &[Edge]) -> bo
         || !heights.iter().all(|height| vanishes_on(graph, edge.difference, *height))
 }
 
-/// Returns whether the difference of one edge vanishes on a part of another.
+/// Returns whether the other difference is proven to vanish on a part of an edge.
 fn share_a_part(graph: &mut Graph, edge: &Edge, other: &Edge) -> bool {
     parts(graph, edge.difference).into_iter().any(|part| vanishes_on_a_part(graph, part, other.difference))
 }
 
-/// A surface on which a function may jump while a field is followed.
+/// A surface on which a function may jump along a solution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Discontinuity {
-    /// Two numbers that are equal on the surface. For an angle, a common factor of both arguments of `atan2`, and zero.
+    /// Two numbers that are equal on the surface. For an angle, a common factor of both arguments of `atan2`, and zero. For a turn, the angle twice.
     pub(crate) equal: [Id; 2],
     /// A condition, sign or angle that changes. A message points at this node.
     pub(crate) node: Id,
@@ -74,13 +75,13 @@ pub(crate) struct Discontinuity {
 /// How a function may jump.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
-    /// Solutions lead across the surface.
+    /// Solutions may lead across the surface. A flux is not tested for this.
     Crossed,
     /// Solutions stay on the surface: rounding decides on which side.
     Followed,
     /// Both arguments of an angle have a common factor that changes its sign: solutions lead across its zeros, where the angle jumps by π.
     Angle,
-    /// An angle turns, and its turns do not add multiples of one constant to the function.
+    /// An angle turns, and its turns are not known to add multiples of one constant to the function.
     Turn,
 }
 

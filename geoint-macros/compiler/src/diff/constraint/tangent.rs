@@ -32,50 +32,28 @@ pub(super) struct Normal {
 impl Normal {
     /// Computes ν from the increments `dq` and the sum `s`. `means` are the rows of Ā.
     pub(super) fn of(graph: &mut Graph, system: &Constrained<'_>, means: &[Vec<Id>], [dq, s]: [&[Id]; 2]) -> Normal {
-        let [h, start_time, end_time] =
-            [Symbol::StepLength, Symbol::StepStart, Symbol::StepEnd].map(|symbol| graph.symbol(symbol));
+        let [start_time, end_time] = [Symbol::StepStart, Symbol::StepEnd].map(|symbol| graph.symbol(symbol));
         let start: Vec<Id> = (0..dq.len() as u32).map(|i| graph.symbol(Symbol::Position(i))).collect();
         let end = ends(graph, Symbol::Position, dq);
         let first = Rows::at(graph, system, &start, start_time);
         let last = Rows::at(graph, system, &end, end_time);
-        // v at p₀ + s. The mean velocity of a constant mass matrix determines it.
-        let velocity = match system.mean_velocity {
-            None => {
-                let twice = graph.recip(h);
-                let twice = graph.scale(Number::integer(2), twice);
-                let sum = scaled(graph, twice, dq);
-                differences(graph, &sum, system.velocity)
-            }
-            Some(_) => {
-                let momenta = ends(graph, Symbol::Momentum, s);
-                moved(graph, system.velocity, &end, Some(&momenta), end_time)
-            }
-        };
-        let rates: Vec<Id> = last.gradients.iter().map(|row| graph.dot(row, &velocity)).collect();
-        let rates = sums(graph, &rates, &last.drifts);
-        // C₁C₀ᵀ, and then A₁W₁A₀ᵀ in addition.
-        let means_of_diagonals = last.factors.geometric_means(graph, &first.factors);
-        let mut matrix = last.factors.product(graph, &means_of_diagonals, &first.factors);
-        for (entries, row) in matrix.iter_mut().zip(&last.gradients) {
-            let direction = times(graph, &last.inverse_mass, row);
-            for (entry, other) in entries.iter_mut().zip(&first.gradients) {
-                let product = graph.dot(&direction, other);
-                *entry = graph.add(*entry, product);
-            }
-        }
-        let w = solve(graph, matrix, rates);
-        // C₁⁻ᵀν = C₁⁻ᵀC₀ᵀw.
+        let velocity = end_velocity(graph, system, [dq, s]);
+        let rates = last.rates(graph, &velocity);
+        let roots = last.factors.geometric_means(graph, &first.factors); // √(D₀D₁)
+        let coupling = last.coupling(graph, &first, &roots);
+        let w = solve(graph, coupling, rates);
+        // N₁ᵀν = A₁ᵀ C₁⁻ᵀ C₀ᵀw.
         let along = first.factors.transposed_times(graph, &w);
-        let along: Vec<Id> = along.iter().zip(&means_of_diagonals).map(|(x, mean)| graph.mul(*x, *mean)).collect();
-        let at_last = last.factors.solve_transposed(graph, &along);
+        let along: Vec<Id> = along.iter().zip(&roots).map(|(x, root)| graph.mul(*x, *root)).collect();
+        let of_end = last.factors.solve_transposed(graph, &along);
         let two = graph.integer(2);
-        let twice_w = scaled(graph, two, &w);
-        let changes: Vec<Vec<Id>> =
-            first.gradients.iter().zip(means).map(|(first, mean)| differences(graph, first, mean)).collect();
+        let twice = scaled(graph, two, &w);
+        let changes = first.gradients.iter().zip(means);
+        let changes: Vec<Vec<Id>> = changes.map(|(first, mean)| differences(graph, first, mean)).collect();
         Normal {
             at_start: combination(graph, &first.gradients, &w),
-            at_end: combination(graph, &last.gradients, &at_last),
-            impulse: combination(graph, &changes, &twice_w),
+            at_end: combination(graph, &last.gradients, &of_end),
+            impulse: combination(graph, &changes, &twice),
         }
     }
 
@@ -100,6 +78,20 @@ impl Normal {
     }
 }
 
+/// v at the end and the momenta p₀ + s. For a constant mass matrix it follows from the mean velocity.
+fn end_velocity(graph: &mut Graph, system: &Constrained<'_>, [dq, s]: [&[Id]; 2]) -> Vec<Id> {
+    if system.mean_velocity.is_none() {
+        let h = graph.symbol(Symbol::StepLength);
+        let twice = graph.recip(h);
+        let twice = graph.scale(Number::integer(2), twice);
+        let sum = scaled(graph, twice, dq);
+        return differences(graph, &sum, system.velocity);
+    }
+    let time = graph.symbol(Symbol::StepEnd);
+    let (end, momenta) = (ends(graph, Symbol::Position, dq), ends(graph, Symbol::Momentum, s));
+    moved(graph, system.velocity, &end, Some(&momenta), time)
+}
+
 /// The rows at one end of a step.
 struct Rows {
     gradients: Vec<Vec<Id>>,
@@ -111,13 +103,33 @@ struct Rows {
 
 impl Rows {
     fn at(graph: &mut Graph, system: &Constrained<'_>, positions: &[Id], time: Id) -> Rows {
-        let inertia = system.inertia(graph);
+        let mut inertia = system.inertia(graph);
+        let mut inverse_mass = system.inverse_mass.clone();
+        let mut gradients = system.gradients();
+        for row in gradients.iter_mut().chain(&mut inverse_mass).chain(&mut inertia) {
+            *row = moved(graph, row, positions, None, time);
+        }
         let drifts: Vec<Id> = system.rows.iter().map(|row| row.drift).collect();
-        let mut at = |nodes: &[Id]| moved(graph, nodes, positions, None, time);
-        let [gradients, inverse_mass, inertia] = [system.gradients(), system.inverse_mass.clone(), inertia]
-            .map(|rows| rows.iter().map(|row| at(row)).collect());
-        let drifts = at(&drifts);
-        let inertia: Vec<Vec<Id>> = inertia;
+        let drifts = moved(graph, &drifts, positions, None, time);
         Rows { gradients, drifts, inverse_mass, factors: Factors::of(graph, &inertia) }
+    }
+
+    /// A v + b.
+    fn rates(&self, graph: &mut Graph, velocity: &[Id]) -> Vec<Id> {
+        let along: Vec<Id> = self.gradients.iter().map(|row| graph.dot(row, velocity)).collect();
+        sums(graph, &along, &self.drifts)
+    }
+
+    /// A₁W₁A₀ᵀ + C₁C₀ᵀ of the last rows. `roots` are √(D₀D₁).
+    fn coupling(&self, graph: &mut Graph, first: &Rows, roots: &[Id]) -> Vec<Vec<Id>> {
+        let mut coupling = self.factors.product(graph, roots, &first.factors);
+        for (entries, row) in coupling.iter_mut().zip(&self.gradients) {
+            let direction = times(graph, &self.inverse_mass, row);
+            for (entry, other) in entries.iter_mut().zip(&first.gradients) {
+                let product = graph.dot(&direction, other);
+                *entry = graph.add(*entry, product);
+            }
+        }
+        coupling
     }
 }

@@ -9,22 +9,23 @@ use crate::emit::system::cotangent;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-/// Returns `impl ConstrainedSystem`, `impl ConstrainedStep` for each method, and the user's methods.
+/// Returns `impl ConstrainedSystem`, `impl ConstrainedStep` for each method, and the public methods of the struct.
 pub(super) fn constraints(context: &Context<'_>, kernels: &ConstraintKernels) -> TokenStream {
-    let ConstraintKernels { rows, quadratic, values, velocity, departure, multipliers: at_state, steps } = kernels;
+    let ConstraintKernels { rows, quadratic, values, velocity, departure, multipliers, steps } = kernels;
     let (array, phase, parts) = (context.positions_type(), context.phase_type(), context.parts());
-    let multipliers = array_type(&[rows.len()]);
+    let row = array_type(&[rows.len()]);
     let printer = context.printer();
+    // Names for messages: of the value, and of its rate. A row without a value is a rate itself.
     let formulas = rows.iter().map(|row| {
         let formula = printer.excerpt(row.written);
         let rate = if row.value.is_some() { format!("the rate of {formula}") } else { formula.clone() };
         quote!([#formula, #rate])
     });
     let [values, velocity] = [values, velocity].map(|routine| context.assigned(routine));
-    let [departure, at_state] = [departure, at_state].map(|routine| context.returned(routine));
+    let [departure, multipliers] = [departure, multipliers].map(|routine| context.returned(routine));
     let quadratic = flag("QUADRATIC", *quadratic);
     let items = quote! {
-        type Multipliers = #multipliers;
+        type Multipliers = #row;
         const CONSTRAINTS: &'static [[&'static str; 2]] = &[#(#formulas),*];
         #quadratic
 
@@ -33,9 +34,9 @@ pub(super) fn constraints(context: &Context<'_>, kernels: &ConstraintKernels) ->
             &self,
             t: R,
             q: &#array,
-            values: &mut #multipliers,
+            values: &mut #row,
             gradients: &mut Gradients<Self, R>,
-            drifts: &mut #multipliers,
+            drifts: &mut #row,
         ) {
             #values
         }
@@ -44,13 +45,13 @@ pub(super) fn constraints(context: &Context<'_>, kernels: &ConstraintKernels) ->
             #parts
             #velocity
         }
-        fn departure(&self, t: R, z: &#phase) -> [[#multipliers; 2]; 2] {
+        fn departure(&self, t: R, z: &#phase) -> [[#row; 2]; 2] {
             #parts
             #departure
         }
-        fn multipliers(&self, t: R, z: &#phase) -> #multipliers {
+        fn multipliers(&self, t: R, z: &#phase) -> #row {
             #parts
-            #at_state
+            #multipliers
         }
     };
     let cotangent = cotangent(context);
@@ -102,16 +103,16 @@ fn step(context: &Context<'_>, method: &str, step: &StepKernel) -> TokenStream {
     proven(context, quote!(ConstrainedStep<#method, R>), items)
 }
 
-/// Returns the user's methods.
+/// Returns the public methods of the struct.
 fn inherent(context: &Context<'_>, rows: usize) -> TokenStream {
     let (name, float, coordinates) = (&context.energy.name, &context.energy.float, &context.energy.coordinates.ty);
     quote! {
         impl #name {
-            /// The nearest state that is on the constraints: positions are moved in the metric of the mass matrix, and momenta lose what
-            /// leads away.
+            /// A state near this one that is on the constraints. Positions move the shortest way to first order, in the metric of the mass matrix. Momenta lose
+            /// the part that leads away.
             ///
             /// # Errors
-            /// Where no state is near, or constraints depend on each other there.
+            /// If no such state is near, if constraints depend on each other there, or if the state is not finite.
             pub fn state_on_constraint(
                 &self,
                 state: &State<#coordinates>,
@@ -119,8 +120,7 @@ fn inherent(context: &Context<'_>, rows: usize) -> TokenStream {
                 state_on_constraint::<Self, #float>(self, state)
             }
 
-            /// The multipliers of a state, in the order of `constraint` and then `rolling`. Constraints of positions exert the force −Gᵀλ, and those of
-            /// velocities the force Aᵀμ.
+            /// The multipliers of a state: λ of the force −Gᵀλ for each `constraint` with gradient G, then μ of the force Aᵀμ for each row A of `rolling`.
             pub fn multipliers(&self, state: &State<#coordinates>) -> [#float; #rows] {
                 let (t, z, _) = state.parts();
                 ConstrainedSystem::multipliers(self, t, &z)

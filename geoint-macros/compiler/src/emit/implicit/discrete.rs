@@ -1,4 +1,4 @@
-//! The field of discrete gradients, with divided differences, and its correction to order 4.
+//! The kernels of `DiscreteGradient`, a field in which a discrete gradient with divided differences replaces the gradient, and of `FourthOrder`.
 
 use super::methods;
 use super::prepared::{Prepared, numbers};
@@ -100,15 +100,16 @@ pub(super) fn discrete_field(
     quote!(#keeping #implementation #solved)
 }
 
-/// Returns the implementations for a field without conserved quantities. No scalar satisfies them.
+/// Returns the implementations for a field without conserved quantities. They are true for no scalar, so their use is an error that states the reason.
 pub(super) fn nothing_kept(context: &Context<'_>, missing: Missing) -> TokenStream {
     let absent = absent(context, missing, &[&KEEPING, &DISCRETE_FIELD]);
     let unsolved = methods::unsolved(context, missing, "DiscreteGradient", "TreeStep");
     quote!(#absent #unsolved)
 }
 
-/// Returns the implementation of `FourthOrderField` for a system with an entropy. No scalar satisfies it.
-pub(super) fn forward(context: &Context<'_>, missing: Missing) -> TokenStream {
+/// Returns the implementation of `FourthOrderField` for a system with an entropy, which is true for no scalar: order 4 needs steps back in time, and these
+/// lower the entropy.
+pub(super) fn no_fourth_order(context: &Context<'_>, missing: Missing) -> TokenStream {
     absent(context, missing, &[&FOURTH_ORDER_FIELD])
 }
 
@@ -122,7 +123,7 @@ pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Routine, s
     let slopes = context.outputs(momenta, |outputs| {
         let written = |values: &Values<'_>| {
             let mut places = values.output.places();
-            // The entry of the energy comes first. The runtime does not read it.
+            // The first entry is the place of the energy, which the runtime knows already.
             places.iter_mut().for_each(|indices| indices[0] += 1);
             write("slopes", &places, &values.all)
         };

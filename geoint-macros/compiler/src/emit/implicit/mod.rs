@@ -54,7 +54,7 @@ fn field(context: &Context<'_>, field: &FieldKernels, system: &System) -> TokenS
             system.has(Fact::Conservative).then(|| discrete::canonical_fourth_order(context, &field.momenta, system))
         }
     };
-    let forward = field.forward.map(|missing| discrete::forward(context, missing));
+    let forward = field.forward.map(|missing| discrete::no_fourth_order(context, missing));
     let collocation = collocation::collocation(context, field);
     let canonical = field.canonical.as_ref().map(|plan| canonical::canonical(context, plan));
     quote!(#discrete #nothing_kept #fourth #forward #collocation #canonical)

@@ -32,6 +32,7 @@ H = p²/2 - cos(q) + s·gamma
 
 Structure
 - ∂H/∂s = gamma, and H' = −H ∂H/∂s
+- |H|^−2 is the density of an invariant measure where H ≠ 0
 - positions and momenta move without s: `without_action` leaves it out
 - T + g·s + V with quadratic T: kick and drift exist, and all tables have their order
 
@@ -88,8 +89,8 @@ const _: () = {
         TaylorIntegrator, TaylorMethod, Separable, Snapshot, Span, Square, State,
         VelocityEnergy, StepError, Unmet, VelocityForm, canonical_rate, energy_of,
         from_positions, fourth_order, is_positive_semidefinite, modified_verlet,
-        gradient_kick, planar_step, rate_of, recurrence, slope, state_on_constraint,
-        unmet, velocity_of,
+        gradient_kick, planar_step, rate_of, recurrence, lagrangian_of,
+        constrained_lagrangian_of, slope, state_on_constraint, unmet, velocity_of,
     };
     const _: fn() = || {
         let _ = damped;
@@ -97,7 +98,7 @@ const _: () = {
     impl Damped {
         /// What was derived from the energy: derivatives or pieces, structure, what is conserved, operations, and what is
         /// skipped and why.
-        pub const REPORT: &'static str = "H = p²/2 - cos(q) + s·gamma\n\nStructure\n- ∂H/∂s = gamma, and H' = −H ∂H/∂s\n- positions and momenta move without s: `without_action` leaves it out\n- T + g·s + V with quadratic T: kick and drift exist, and all tables have their order\n\nDecaying by the factor e^(−(gamma)·t), all alike, so that quotients are constant\n- H: it does not read time\n`ContactDiscreteGradient` multiplies H by what its equation says, to rounding\n\nPieces with flows in closed form, in the order of half a step\n- p²/2 + s·gamma\n  damped drift: p·Wp/2 + g s, g constant or k/(t₀ + t) (M. Vermeeren, A. Bravetti & M. Seri, J. Phys. A 52 (2019) 445206)\n  exact in time; sums and products 5, functions 2\n- -cos(q)\n  prolongation: p·a(q, s) + b(q, s) (P. G. Kevrekidis, arXiv:2605.09103 (2026))\n  exact in time; sums and products 4, functions 2\n\nImplicit steps, for the increments of all positions, momenta and the action\n- `ContactMidpoint`, unknowns 3: sums and products 20, functions 2 an iteration\n- `ContactDiscreteGradient`, unknowns 3: sums and products 25, functions 4 an iteration\n- `ContactGauss`, unknowns 2 a stage: sums and products 2, functions 2 a stage of an iteration: s follows, and friction costs nothing beside `Gauss`\n";
+        pub const REPORT: &'static str = "H = p²/2 - cos(q) + s·gamma\n\nStructure\n- ∂H/∂s = gamma, and H' = −H ∂H/∂s\n- |H|^−2 is the density of an invariant measure where H ≠ 0\n- positions and momenta move without s: `without_action` leaves it out\n- T + g·s + V with quadratic T: kick and drift exist, and all tables have their order\n\nDecaying by the factor e^(−(gamma)·t), all alike, so that quotients are constant\n- H: it does not read time\n`ContactDiscreteGradient` multiplies H by what its equation says, to rounding\n\nPieces with flows in closed form, in the order of half a step\n- p²/2 + s·gamma\n  damped drift: p·Wp/2 + g s, g constant or k/(t₀ + t) (M. Vermeeren, A. Bravetti & M. Seri, J. Phys. A 52 (2019) 445206)\n  exact in time; sums and products 5, functions 2\n- -cos(q)\n  prolongation: p·a(q, s) + b(q, s) (P. G. Kevrekidis, arXiv:2605.09103 (2026))\n  exact in time; sums and products 4, functions 2\n\nImplicit steps, for the increments of all positions, momenta and the action\n- `ContactMidpoint`, unknowns 3: sums and products 20, functions 2 an iteration\n- `ContactDiscreteGradient`, unknowns 3: sums and products 25, functions 4 an iteration\n- `ContactGauss`, unknowns 2 a stage: sums and products 2, functions 2 a stage of an iteration: s follows, and friction costs nothing beside `Gauss`\n";
         /// The energy of a state.
         pub fn energy(&self, state: &ContactState<f64>) -> f64 {
             PhaseSpace::energy(self, state)

@@ -5,6 +5,7 @@
 //! - DifferentialEquation
 //! - CotangentSpace
 //! - KeepsEnergy
+//! - OfVelocities
 //! - QuadraticKinetic
 //! - ForceGradient
 //! - PerturbedSystem
@@ -37,6 +38,7 @@ pub fn pendulum(q: f64, p: f64, m: f64, l: f64, g: f64) -> f64 {
 H = p²/(2·(m·l²)) - m·l·g·cos(q)
 ∂H/∂q = m·l·g·sin(q)
 ∂H/∂p = p/(m·l²)
+L = m·l·g·cos(q) + m·l²·v²/2, with v = ∂H/∂p
 
 Structure
 - H = T(p) + V(q): kick and drift are exact flows
@@ -109,8 +111,8 @@ const _: () = {
         TaylorIntegrator, TaylorMethod, Separable, Snapshot, Span, Square, State,
         VelocityEnergy, StepError, Unmet, VelocityForm, canonical_rate, energy_of,
         from_positions, fourth_order, is_positive_semidefinite, modified_verlet,
-        gradient_kick, planar_step, rate_of, recurrence, slope, state_on_constraint,
-        unmet, velocity_of,
+        gradient_kick, planar_step, rate_of, recurrence, lagrangian_of,
+        constrained_lagrangian_of, slope, state_on_constraint, unmet, velocity_of,
     };
     const _: fn() = || {
         let _ = pendulum;
@@ -118,7 +120,7 @@ const _: () = {
     impl Pendulum {
         /// What was derived from the energy: derivatives or pieces, structure, what is conserved, operations, and what is
         /// skipped and why.
-        pub const REPORT: &'static str = "H = p²/(2·(m·l²)) - m·l·g·cos(q)\n∂H/∂q = m·l·g·sin(q)\n∂H/∂p = p/(m·l²)\n\nStructure\n- H = T(p) + V(q): kick and drift are exact flows\n- T = p²/(2·(m·l²))\n- V = -m·l·g·cos(q)\n- T is quadratic in p with a constant mass matrix\n- H is not a polynomial in q and p\n- H does not depend on time\n\nConserved by the flow, at least\n- the energy\n\nDiscrete gradients\n- `DiscreteGradient` and `FourthOrder(DiscreteGradient)` keep all of that, to rounding\n- `MeanValue` has a closed form: it is `DiscreteGradient`\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: sums and products 5, divisions and roots 1, functions 1\n- kick: sums and products 2, functions 1\n- drift: sums and products 2\n- stage of a Newton iteration of collocation: sums and products 2, functions 2\n- Newton iteration of the discrete gradient: sums and products 11, functions 4\n\nImplicit steps\n- `DiscreteGradient`, unknowns 1: Newton's iteration for one number\n\nSkipped\n- Newton's iteration in explicit methods: T and V have exact flows\n- half of the unknowns of implicit methods: T is quadratic\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n";
+        pub const REPORT: &'static str = "H = p²/(2·(m·l²)) - m·l·g·cos(q)\n∂H/∂q = m·l·g·sin(q)\n∂H/∂p = p/(m·l²)\nL = m·l·g·cos(q) + m·l²·v²/2, with v = ∂H/∂p\n\nStructure\n- H = T(p) + V(q): kick and drift are exact flows\n- T = p²/(2·(m·l²))\n- V = -m·l·g·cos(q)\n- T is quadratic in p with a constant mass matrix\n- H is not a polynomial in q and p\n- H does not depend on time\n\nConserved by the flow, at least\n- the energy\n\nDiscrete gradients\n- `DiscreteGradient` and `FourthOrder(DiscreteGradient)` keep all of that, to rounding\n- `MeanValue` has a closed form: it is `DiscreteGradient`\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: sums and products 5, divisions and roots 1, functions 1\n- kick: sums and products 2, functions 1\n- drift: sums and products 2\n- stage of a Newton iteration of collocation: sums and products 2, functions 2\n- Newton iteration of the discrete gradient: sums and products 11, functions 4\n\nImplicit steps\n- `DiscreteGradient`, unknowns 1: Newton's iteration for one number\n\nSkipped\n- Newton's iteration in explicit methods: T and V have exact flows\n- half of the unknowns of implicit methods: T is quadratic\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n";
         /// The energy of a state.
         pub fn energy(&self, state: &State<f64>) -> f64 {
             PhaseSpace::energy(self, state)
@@ -223,6 +225,32 @@ const _: () = {
             v6 = p0 / v5;
             slopes[0][0] = v3;
             slopes[1][0] = v6;
+        }
+    }
+    impl Pendulum {
+        /// The Lagrangian p·∂H/∂p − H of a state.
+        pub fn lagrangian(&self, state: &State<f64>) -> f64 {
+            lagrangian_of(self, state)
+        }
+    }
+    trait OfVelocities<R: Real> {
+        fn momentum(&self, t: R, q: &[R; 1], v: &[R; 1]) -> [R; 1];
+    }
+    impl Pendulum {
+        /// The state with these positions and velocities, at t = 0.
+        pub fn at(&self, q: f64, v: f64) -> State<f64> {
+            self.at_time(0.0, q, v)
+        }
+        /// The state with these positions and velocities at a time.
+        pub fn at_time(&self, t: f64, q: f64, v: f64) -> State<f64> {
+            let [position, velocity] = [q, v].map(Coordinates::into_array);
+            State::at(
+                t,
+                q,
+                Coordinates::from_array(
+                    OfVelocities::momentum(self, t, &position, &velocity),
+                ),
+            )
         }
     }
     impl<R: Real> Separable<R> for Pendulum<R> {
