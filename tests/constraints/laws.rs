@@ -78,6 +78,59 @@ fn momenta_come_back_to_the_constraint() -> Result<(), StepError> {
     Ok(())
 }
 
+/// A hyperbolic plane in a space whose metric has both signs: inertia along the gradient of the constraint is negative.
+#[hamiltonian(constraint = [(q[1] * q[1] + q[2] * q[2] - q[0] * q[0] + 1.0) / 2.0])]
+fn hyperbolic(q: [f64; 3], p: [f64; 3], m: f64, g: f64) -> f64 {
+    (p[1] * p[1] + p[2] * p[2] - p[0] * p[0]) / (2.0 * m) + g * q[0]
+}
+
+/// The same in polar coordinates, q₀ = cosh r.
+#[hamiltonian]
+fn hyperbolic_polar(q: [f64; 2], p: [f64; 2], m: f64, g: f64) -> f64 {
+    (p[0] * p[0] + (p[1] / q[0].sinh()).powi(2)) / (2.0 * m) + g * q[0].cosh()
+}
+
+#[test]
+fn inertia_may_be_negative() -> Result<(), StepError> {
+    let (r, rate, turning) = (0.7_f64, 0.3, 0.9);
+    let (system, polar) = (Hyperbolic { m: 1.3, g: 2.0 }, HyperbolicPolar { m: 1.3, g: 2.0 });
+    // From (r, φ = 0) with r' and φ': p₀ = −m q₀'.
+    let momenta = [-1.3 * r.sinh() * rate, 1.3 * r.cosh() * rate, 1.3 * r.sinh() * turning];
+    let start = State::new([r.cosh(), r.sinh(), 0.0], momenta);
+    let mut exact = polar.adaptive(DOP853, 1e-13, State::new([r, 0.0], [1.3 * rate, 1.3 * r.sinh().powi(2) * turning]));
+    exact.advance_to(2.0)?;
+    let [r, angle] = exact.state().q;
+    let place = [r.cosh(), r.sinh() * angle.cos(), r.sinh() * angle.sin()];
+    let errors = [0.04, 0.02, 0.01].map(|h| {
+        let sim = run(system, DiscreteGradient, h, start, 2.0);
+        assert!((sim.energy() - system.energy(&start)).abs() < 1e-13);
+        let State { q, p, .. } = sim.state();
+        assert!((q[1] * p[1] + q[2] * p[2] + q[0] * p[0]).abs() < 1e-13);
+        (0..3).fold(0.0, |far, i| f64::max(far, (q[i] - place[i]).abs()))
+    });
+    assert!(orders(&errors).iter().all(|order| (order - 2.0).abs() < 0.1), "{errors:?}");
+    Ok(())
+}
+
+/// A pendulum of 10¹⁰ m in single precision: squares of the inertia of its constraint would overflow.
+#[hamiltonian(constraint = [(q[0] * q[0] + q[1] * q[1] - l * l) / 2.0])]
+fn tall(q: [f32; 2], p: [f32; 2], m: f32, l: f32, g: f32) -> f32 {
+    (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) + m * g * q[1]
+}
+
+#[test]
+fn large_lengths_in_single_precision() -> Result<(), StepError> {
+    for l in [1.0_f32, 1e10, 1e-10] {
+        let system = Tall { m: 0.7, l, g: l };
+        let mut sim = system.integrator(DiscreteGradient, 0.05, State::new([0.6 * l, -0.8 * l], [0.0; 2]));
+        let energy = sim.energy();
+        sim.advance(500)?;
+        assert!((sim.energy() / energy - 1.0).abs() < 1e-5, "{l:e}");
+        assert!((sim.state().q[0].hypot(sim.state().q[1]) / l - 1.0).abs() < 1e-6, "{l:e}");
+    }
+    Ok(())
+}
+
 /// The rods of a mechanism, each as the difference of its ends.
 type Rods = Vec<Vec<f64>>;
 

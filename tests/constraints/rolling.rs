@@ -272,6 +272,12 @@ fn robot(q: [f64; 5], v: [f64; 5], m: f64, i: f64, j: f64, b: f64, r: f64) -> f6
     m * (v[0] * v[0] + v[1] * v[1]) / 2.0 + i * v[2] * v[2] / 2.0 + j * (v[3] * v[3] + v[4] * v[4]) / 2.0
 }
 
+/// A row that keeps the angle of (x, y).
+#[hamiltonian(rolling = [q[0] * v[1] - q[1] * v[0]])]
+fn turned(q: [f64; 3], p: [f64; 3], m: f64) -> f64 {
+    (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / (2.0 * m)
+}
+
 #[test]
 fn reports_say_what_is_bound() {
     let report = Sleigh::<f64>::REPORT;
@@ -280,9 +286,12 @@ fn reports_say_what_is_bound() {
     // The wheels turn by angles whose difference is that of the heading.
     let report = Robot::<f64>::REPORT;
     assert!(report.contains("row 1 − 1·row 2 is the rate of a function of positions"), "{report}");
+    // A row that is the rate of an angle but for a factor: no claim is made.
+    let report = Turned::<f64>::REPORT;
+    assert!(report.contains("whether it binds positions is not known"), "{report}");
     let report = Ball::<f64>::REPORT;
     assert!(
-        report.contains("the energy changes at the rate −μ[0]·(q[1]·omega)") && report.contains("- p[4]"),
+        report.contains("the energy changes at the rate −μ[0]·(q[1]·omega)") && report.contains("- p[4]: no row binds"),
         "{report}"
     );
     assert!(!report.contains("- the energy\n"), "{report}");
@@ -299,6 +308,9 @@ fn a_start_that_slips() -> Result<(), StepError> {
     assert_eq!(sim.step(), Err(StepError::new(Failure::OffConstraint { what: row }, 0.0, 0.1)));
     assert_eq!(sim.state(), slipping);
     SLEIGH.integrator(DiscreteGradient, 0.1, SLEIGH.state_on_constraint(&slipping)?).step()?;
+    for refused in [SLEIGH.integrator(RK4, 0.1, slipping).step(), SLEIGH.adaptive(DOP853, 1e-9, slipping).step()] {
+        assert_eq!(refused.expect_err("slips").failure, Failure::OffConstraint { what: row });
+    }
 
     /// Two rows that are parallel where x = 1 or y = 0.
     #[hamiltonian(rolling = [v[0] - q[1] * v[2], q[0] * v[0] - q[1] * v[2]])]

@@ -106,7 +106,8 @@ impl<P: Pace> Run<P> {
     /// ```
     ///
     /// The next step checks the state again, except for the momenta of a system with constraints. They result from a step, and `DiscreteGradient`
-    /// leaves them O(h²) off the constraints if T is not quadratic in p.
+    /// leaves them O(h²) off the constraints if T is not quadratic in p. If the new parameters change a constraint, first set a state that obeys it:
+    /// `system.state_on_constraint(&state)`.
     pub fn set_system(&mut self, system: P::System) {
         self.pace.set_system(system);
     }

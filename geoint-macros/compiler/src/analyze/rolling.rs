@@ -1,6 +1,6 @@
 //! Which constraints A(q, t) v + b(q, t) = 0 are rates of functions of positions. By Poincaré's lemma, these are the closed ones: ∂ᵢAⱼ = ∂ⱼAᵢ and ∂ᵢb = ∂ₜAᵢ.
 
-use super::identity::{multiple, vanishes};
+use super::identity::{Identity, identity, multiple, vanishes};
 use crate::diff::constraint::Row;
 use crate::diff::jacobian;
 use crate::ir::{Graph, Id, Symbol};
@@ -12,7 +12,9 @@ pub(crate) enum Binding {
     Pair { rows: [usize; 2], factor: Id, function: Option<Id> },
     /// There is one row, and none of its products with a function of positions is such a rate (Frobenius).
     Nonholonomic,
-    /// No row and no combination of two rows with constant factors is such a rate.
+    /// There is one row, and the same is not proven.
+    Unknown,
+    /// There are several rows, and no such pair was found.
     NoPair,
 }
 
@@ -30,8 +32,10 @@ pub(crate) fn integral(graph: &mut Graph, gradient: &[Id], drift: Id) -> Option<
     Some(graph.dot(gradient, &positions))
 }
 
-/// Finds the combinations of rows that bind positions. No single row does.
+/// Finds pairs of rows that bind positions. No single row is a rate. Beside constraints of positions, rows may be rates on their surface: then only pairs
+/// are reported.
 pub(crate) fn bindings(graph: &mut Graph, rows: &[Row]) -> Vec<Binding> {
+    let all = rows.len();
     let rows: Vec<&Row> = rows.iter().filter(|row| row.value.is_none()).collect();
     let curls: Vec<Vec<Id>> = rows.iter().map(|row| curl(graph, row)).collect();
     let mut found = vec![];
@@ -45,8 +49,9 @@ pub(crate) fn bindings(graph: &mut Graph, rows: &[Row]) -> Vec<Binding> {
         }
     }
     match rows[..] {
+        _ if rows.len() < all || rows.is_empty() => {}
         [row] if is_nonholonomic(graph, row, &curls[0]) => found.push(Binding::Nonholonomic),
-        [] => {}
+        [_] => found.push(Binding::Unknown),
         _ if found.is_empty() => found.push(Binding::NoPair),
         _ => {}
     }
@@ -91,7 +96,7 @@ fn is_nonholonomic(graph: &mut Graph, row: &Row, curl: &[Id]) -> bool {
             for k in j + 1..n {
                 let [a, b, c] = [[i, j, k], [j, i, k], [k, i, j]].map(|[one, x, y]| (alpha[one], curl[place(x, y)]));
                 let wedge = graph.build(a.0 * a.1 - b.0 * b.1 + c.0 * c.1);
-                if !vanishes(graph, wedge) {
+                if matches!(identity(graph, wedge), Identity::Wrong(_)) {
                     return true;
                 }
             }

@@ -7,14 +7,15 @@ use crate::ir::{Id, print::Printer};
 use crate::lower::Terms;
 use crate::parse::Form;
 
-/// Reports angles of an energy and of constraints whose arguments have a common factor. A field may jump: the proofs of its integrals check the
+/// Reports angles of an energy, of an entropy and of constraints whose arguments have a common factor. A field may jump: the proofs of its integrals check the
 /// angles of each integral.
 pub(crate) fn of_energy(compilation: &mut Compilation<'_>, terms: &Terms) -> Result<()> {
     if compilation.form == Form::Field {
         return Ok(());
     }
-    let constraints = terms.constraints.iter().map(|(constraint, _)| *constraint);
-    let roots = [terms.energy].into_iter().chain(constraints);
+    let constraints = terms.constraints.iter().chain(&terms.rolling).map(|(constraint, _)| *constraint);
+    let entropy = terms.entropy.iter().map(|entropy| entropy.value);
+    let roots = [terms.energy].into_iter().chain(constraints).chain(entropy);
     let mut found: Vec<Id> = roots.flat_map(|root| angles(&compilation.graph, root)).collect();
     found.sort_unstable();
     found.dedup();

@@ -70,7 +70,7 @@ fn of_velocities(compilation: &mut Compilation<'_>, constraint: Id) -> Option<St
         return Some("this constraint reads no velocity: put it under `constraint = [...]`".into());
     }
     if !analyze::is_polynomial_in(graph, &[constraint], 1, is_velocity) {
-        return Some("a velocity constraint is linear in velocities".into());
+        return Some("a velocity constraint is linear in velocities, and conditions belong into their factors".into());
     }
     let row = Row::of_velocities(graph, constraint, degrees);
     if !analyze::is_rate(graph, &row) {

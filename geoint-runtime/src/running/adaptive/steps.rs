@@ -149,6 +149,12 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Controlled<S, M, R> 
             return Err(Failure::NotNormalised { length });
         }
         Failure::outside(self.system.outside_domain(self.now(), &self.x.z, &self.x.s))?;
+        // Later velocities obey constraints to the error of the method only.
+        if self.taken == 0
+            && let Some(unmet) = self.system.unmet(self.now(), R::from_f64(self.size()), &self.x.z)
+        {
+            return Err(unmet.into());
+        }
         let in_range = M::is_in_range(&self.prepared.whole, &self.system, &self.x.z);
         if in_range { Ok(()) } else { Err(Failure::OutOfRange) }
     }

@@ -8,7 +8,7 @@ use crate::running::watch::Watch;
 use crate::scalar::{Real, signed, zero};
 use crate::solving::Failure;
 use crate::space::{Action, Array, PerCoordinate, Point, Snapshot, Summation, wrong_length};
-use crate::system::{Clear, PhaseSpace, Unmet, jump_on_way};
+use crate::system::{Clear, PhaseSpace, jump_on_way};
 
 /// The pace of steps of one length: a system under a method, and the present point.
 #[derive(Clone)]
@@ -226,11 +226,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Fixed<S
         // The momenta of a run whose system was replaced result from a step. `DiscreteGradient` may leave them O(h²) off, so only positions are checked.
         // Rates are not checked with a step of length 0.
         let h_of_rates = if self.taken == self.set { self.clock.step_size() } else { zero() };
-        match self.system.unmet(self.now(), h_of_rates, &self.x.z) {
-            Some(Unmet::Off(what)) => Err(Failure::OffConstraint { what }),
-            Some(Unmet::Dependent(what)) => Err(Failure::DependentConstraints { what }),
-            None => Ok(()),
-        }
+        self.system.unmet(self.now(), h_of_rates, &self.x.z).map_or(Ok(()), |unmet| Err(unmet.into()))
     }
 
     /// Returns whether a point and its time are finite, and the energy is defined there. A finite time after the last step implies finite times

@@ -98,6 +98,15 @@ pub enum Unmet {
     Dependent(&'static str),
 }
 
+impl From<Unmet> for Failure {
+    fn from(unmet: Unmet) -> Failure {
+        match unmet {
+            Unmet::Off(what) => Failure::OffConstraint { what },
+            Unmet::Dependent(what) => Failure::DependentConstraints { what },
+        }
+    }
+}
+
 /// Returns the condition that a state violates at the start of steps of length `h`, if any.
 ///
 /// Rounding is no violation. This includes rounding of coordinates and parameters, and a rate that changes a constraint in a step by rounding only.
@@ -134,7 +143,11 @@ pub(crate) fn held<S: Constrained<R>, R: Real>(system: &S, t: R, [before, z]: [&
         let rounding = ROUNDINGS * R::epsilon();
         let sizes = sizes.as_slice().iter().zip(of_start.as_slice());
         let mut reaches = sizes.map(|(end, start)| rounding * (end.magnitude() + start.magnitude()));
-        values.as_slice().iter().all(|value| reaches.next().is_some_and(|reach| value.magnitude() <= reach))
+        // Zero is on a constraint even if the reach is NaN.
+        values.as_slice().iter().all(|value| {
+            let reach = reaches.next();
+            value.magnitude() == 0.0 || reach.is_some_and(|reach| value.magnitude() <= reach)
+        })
     };
     // Increments carry the rounding of positions at both ends. The sizes at the start are computed only if those at the end do not suffice.
     if are_small(&S::Multipliers::zero()) || are_small(&system.departure(t, before)[0][1]) {

@@ -3,7 +3,7 @@
 use crate::ir::formula::pow;
 use crate::ir::{Graph, Id, Ratio};
 
-/// M = L D Lᵀ of a symmetric positive definite M, with a diagonal D and a lower triangular L with ones on its diagonal.
+/// M = L D Lᵀ of a symmetric M, with a diagonal D and a lower triangular L with ones on its diagonal. M is positive definite if inertia is positive.
 pub(super) struct Factors {
     /// The entries of L before the diagonal.
     lower: Vec<Vec<Id>>,
@@ -29,14 +29,15 @@ impl Factors {
         Factors { lower, diagonal }
     }
 
-    /// The diagonal √(D D'), with D' of other factors. A change of units multiplies both by the same number, so the root has the rounding of any units.
-    pub(super) fn geometric_means(&self, graph: &mut Graph, other: &Factors) -> Vec<Id> {
+    /// The diagonal √(D'/D), with D' of other factors. It has no unit, so its rounding is that of any units.
+    pub(super) fn ratios(&self, graph: &mut Graph, other: &Factors) -> Vec<Id> {
         let pairs = self.diagonal.iter().zip(&other.diagonal);
-        pairs.map(|(a, b)| graph.build(pow(*a * *b, Ratio::HALF))).collect()
+        pairs.map(|(d, other)| graph.build(pow(*other / *d, Ratio::HALF))).collect()
     }
 
-    /// L S L'ᵀ with a diagonal S, and L' of other factors.
+    /// L D S L'ᵀ with a diagonal S, and L' of other factors.
     pub(super) fn product(&self, graph: &mut Graph, s: &[Id], other: &Factors) -> Vec<Vec<Id>> {
+        let s: Vec<Id> = s.iter().zip(&self.diagonal).map(|(s, d)| graph.mul(*s, *d)).collect();
         let mut rows = vec![];
         for (i, a) in self.lower.iter().enumerate() {
             let mut row = vec![];
@@ -58,9 +59,9 @@ impl Factors {
         (0..x.len()).map(|i| self.add_later(graph, i, x, x[i])).collect()
     }
 
-    /// The solution y of D Lᵀ y = x.
+    /// The solution y of Lᵀ y = x.
     pub(super) fn solve_transposed(&self, graph: &mut Graph, x: &[Id]) -> Vec<Id> {
-        let mut solution: Vec<Id> = x.iter().zip(&self.diagonal).map(|(x, d)| graph.div(*x, *d)).collect();
+        let mut solution = x.to_vec();
         for i in (0..x.len()).rev() {
             let zero = graph.zero();
             let known = self.add_later(graph, i, &solution, zero);
@@ -75,6 +76,9 @@ impl Factors {
         for (entries, x) in self.lower.iter().zip(x) {
             let known = graph.dot(entries, &solution);
             solution.push(graph.sub(*x, known));
+        }
+        for (y, d) in solution.iter_mut().zip(&self.diagonal) {
+            *y = graph.div(*y, *d);
         }
         self.solve_transposed(graph, &solution)
     }

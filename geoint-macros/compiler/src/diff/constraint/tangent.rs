@@ -5,7 +5,7 @@
 //! - q₁ − q₀ = h v̄ and P₁ − P₀ = h f̄ + Āᵀλ, with discrete gradients between (q₀, P₀) and (q₁, P₁),
 //! - the condition of each row over the step, and A₁v(q₁, p₁) + b₁ = 0.
 //!
-//! The rows of N are orthonormal in W. Tangent momenta have no part along them, so H(qᵢ, Pᵢ) = H(qᵢ, pᵢ) + |ν|²/2 at both ends. The energy is therefore kept,
+//! The rows of N are orthonormal in W (with |D| and the signs of D if inertia is negative). Tangent momenta have no part along them, so H(qᵢ, Pᵢ) = H(qᵢ, pᵢ) + |ν|²/2 at both ends. The energy is therefore kept,
 //! although each pᵢ is tangent. The step is symmetric and of order 2, and ν = O(h²).
 //!
 //! The unknowns are those of the plain step, with the sum s = P₁ + P₀ − 2p₀ in place of p₁ − p₀. They determine ν = C₀ᵀw: the rate at the end is that of the
@@ -39,7 +39,7 @@ impl Normal {
         let last = Rows::at(graph, system, &end, end_time);
         let velocity = end_velocity(graph, system, [dq, s]);
         let rates = last.rates(graph, &velocity);
-        let roots = last.factors.geometric_means(graph, &first.factors); // √(D₀D₁)
+        let roots = last.factors.ratios(graph, &first.factors); // √(D₀/D₁)
         let coupling = last.coupling(graph, &first, &roots);
         let w = solve(graph, coupling, rates);
         // N₁ᵀν = A₁ᵀ C₁⁻ᵀ C₀ᵀw.
@@ -120,7 +120,7 @@ impl Rows {
         sums(graph, &along, &self.drifts)
     }
 
-    /// A₁W₁A₀ᵀ + C₁C₀ᵀ of the last rows. `roots` are √(D₀D₁).
+    /// A₁W₁A₀ᵀ + C₁C₀ᵀ of the last rows. `roots` are √(D₀/D₁).
     fn coupling(&self, graph: &mut Graph, first: &Rows, roots: &[Id]) -> Vec<Vec<Id>> {
         let mut coupling = self.factors.product(graph, roots, &first.factors);
         for (entries, row) in coupling.iter_mut().zip(&self.gradients) {

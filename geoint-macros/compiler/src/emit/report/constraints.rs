@@ -14,9 +14,11 @@ pub(super) fn report(report: &mut Report<'_>, found: &ConstrainedFindings, syste
     let kept = &found.kept;
     writeln!(report, "\nConserved by the flow and by `DiscreteGradient`, at least");
     let energy = kept.conserves_energy().then(|| "the energy".to_string());
+    let reads =
+        if rolls { "no row binds its velocity, and neither H nor g reads" } else { "neither H nor a constraint reads" };
     let cyclic = kept.cyclic.iter().map(|i| {
         let [q, p] = [Symbol::Position(*i), Symbol::Momentum(*i)].map(|symbol| report.named(symbol));
-        format!("{p}: neither H nor a constraint reads {q}")
+        format!("{p}: {reads} {q}")
     });
     let momenta = kept.momenta.iter().map(|momentum| report.momentum(momentum));
     let conserved: Vec<String> = energy.into_iter().chain(cyclic).chain(momenta).collect();
@@ -76,10 +78,9 @@ fn equations(report: &mut Report<'_>, found: &ConstrainedFindings, system: &Syst
     let (n, m) = (gradient.q.len(), rows.len());
     let (constraints, free) = (plural(m), plural(n - m));
     writeln!(report, "- {n} coordinates and {m} constraint{constraints}: {} degree{free} of freedom", n - m);
-    let start = match positions.is_empty() {
-        true => format!("A{} + b = 0", report.name_of(Role::Velocity)),
-        false => "g = 0 and dg/dt = 0".into(),
-    };
+    let conditions = [(positions.is_empty(), "g = 0, dg/dt = 0"), (velocities.is_empty(), "A∂H/∂p + b = 0")];
+    let start: Vec<&str> = conditions.iter().filter(|(absent, _)| !absent).map(|(_, condition)| *condition).collect();
+    let start = start.join(", ");
     writeln!(report, "- a state starts with {start}; `state_on_constraint` gives the nearest one");
     if let Some(found) = &structure.damping {
         friction::damping(report, found, structure.autonomous);
@@ -100,7 +101,14 @@ fn bound(report: &Report<'_>, binding: &Binding) -> String {
         Binding::Nonholonomic => {
             "velocities are bound, positions are not: no function of positions has this rate".into()
         }
-        Binding::NoPair => "no row, and no combination of two, is the rate of a function of positions".into(),
+        Binding::Unknown => {
+            "whether it binds positions is not known: it is not the rate of a function, but a product with it may be"
+                .into()
+        }
+        Binding::NoPair => {
+            "no combination of two rows with constant factors was found to be the rate of a function of positions"
+                .into()
+        }
     }
 }
 
@@ -127,7 +135,7 @@ fn steps(report: &mut Report<'_>, found: &ConstrainedFindings, system: &System, 
     if system.rate.is_some() {
         writeln!(
             report,
-            "- `RK4`, `DOP853` and `adaptive`: multipliers are eliminated, and constraints hold to the error of the method"
+            "- `RK4`, `DOP853`, `adaptive`: multipliers are eliminated, constraints hold to the error of the method, and dependent rows are not noticed"
         );
     }
 
