@@ -10,6 +10,7 @@ mod entropy;
 mod factors;
 mod fields;
 mod herglotz;
+mod impacts;
 mod leapfrog;
 mod measure;
 mod mechanics;
