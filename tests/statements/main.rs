@@ -17,3 +17,4 @@ mod mechanics;
 mod sampling;
 mod satellite;
 mod velocities;
+mod waves;
