@@ -14,6 +14,7 @@ mod impacts;
 mod leapfrog;
 mod measure;
 mod mechanics;
+mod neurons;
 mod sampling;
 mod satellite;
 mod velocities;
