@@ -4,6 +4,7 @@
 
 #![allow(clippy::excessive_precision, reason = "digits as another program printed them")]
 
+mod costs;
 mod derivative;
 mod energy_method;
 mod entropy;
