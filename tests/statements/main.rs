@@ -4,15 +4,19 @@
 
 #![allow(clippy::excessive_precision, reason = "digits as another program printed them")]
 
+mod costs;
 mod derivative;
 mod energy_method;
 mod entropy;
 mod factors;
 mod fields;
 mod herglotz;
+mod impacts;
 mod leapfrog;
 mod measure;
 mod mechanics;
+mod neurons;
 mod sampling;
 mod satellite;
 mod velocities;
+mod waves;
