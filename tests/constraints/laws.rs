@@ -112,7 +112,7 @@ fn inertia_may_be_negative() -> Result<(), StepError> {
     Ok(())
 }
 
-/// A pendulum of 10¹⁰ m in single precision: squares of the inertia of its constraint would overflow.
+/// A pendulum of 10¹⁰ m in single precision: squares of the inertia of its constraint would overflow. Below 10⁻⁹ m steps are refused.
 #[hamiltonian(constraint = [(q[0] * q[0] + q[1] * q[1] - l * l) / 2.0])]
 fn tall(q: [f32; 2], p: [f32; 2], m: f32, l: f32, g: f32) -> f32 {
     (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) + m * g * q[1]
@@ -120,7 +120,7 @@ fn tall(q: [f32; 2], p: [f32; 2], m: f32, l: f32, g: f32) -> f32 {
 
 #[test]
 fn large_lengths_in_single_precision() -> Result<(), StepError> {
-    for l in [1.0_f32, 1e10, 1e-10] {
+    for l in [1.0_f32, 1e10, 1e-8] {
         let system = Tall { m: 0.7, l, g: l };
         let mut sim = system.integrator(DiscreteGradient, 0.05, State::new([0.6 * l, -0.8 * l], [0.0; 2]));
         let energy = sim.energy();
