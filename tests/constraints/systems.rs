@@ -88,7 +88,7 @@ pub(crate) fn four_bar(q: [f64; 4], p: [f64; 4], m: [f64; 2], rocker: f64, bars:
         + g * (m[0] * q[1] + m[1] * q[3])
 }
 
-/// The same by the angles of its bars, with the two equations that close it: a mass matrix that depends on angles.
+/// The same linkage by the angles of its bars, with two equations that close it. Its mass matrix depends on angles.
 #[lagrangian(constraint = [
     bars[0] * q[0].cos() + bars[1] * q[1].cos() - bars[2] * q[2].cos() - d,
     bars[0] * q[0].sin() + bars[1] * q[1].sin() - bars[2] * q[2].sin()

@@ -38,7 +38,7 @@ type Gases = FlowState<[f64; 4]>;
 const SYSTEM: Piston = Piston { kappa: 0.2 };
 const START: [f64; 4] = [0.6, 0.3, 1.0, 2.0];
 /// The exact solution at t = 10, from an extrapolation method in 22 digits.
-const END: [f64; 4] = [1.1326358962788234, -0.098882836219990424, 0.96084683357306292, 2.0792642587774824];
+const END: [f64; 4] = [1.1326358962788234, -0.098_882_836_219_990_43, 0.960_846_833_573_062_9, 2.0792642587774824];
 const DURATION: f64 = 40.0;
 
 fn temperatures(x: &Gases) -> [f64; 2] {

@@ -1,4 +1,4 @@
-//! Which constraints A(q, t) v + b(q, t) = 0 are rates of functions of positions. By Poincaré's lemma, these are the closed ones: ∂ᵢAⱼ = ∂ⱼAᵢ and ∂ᵢb = ∂ₜAᵢ.
+//! Finds constraints A(q, t) v + b(q, t) = 0 that are rates of functions of positions. By Poincaré's lemma, these rows are closed: ∂ᵢAⱼ = ∂ⱼAᵢ and ∂ᵢb = ∂ₜAᵢ.
 
 use super::identity::{Identity, identity, multiple, vanishes};
 use crate::diff::constraint::Row;

@@ -1,5 +1,5 @@
-//! Checks the user's constraints. Those of positions read positions and time only, those of velocities are linear in velocities. All are independent, and they
-//! leave a degree of freedom unless they move.
+//! Checks the user's constraints. A constraint of positions reads positions and time only, and a constraint of velocities is linear in them. All constraints
+//! must be independent, and leave a degree of freedom unless they move.
 
 use super::damping::report_damping;
 use crate::analyze::{self, Damping, claims};

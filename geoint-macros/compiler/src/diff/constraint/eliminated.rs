@@ -1,4 +1,4 @@
-//! The multipliers of a state: p' = f + Aᵀμ with (A v + b)' = 0.
+//! The multipliers μ of a state, with which its motion p' = f + Aᵀμ obeys the constraints: (A v + b)' = 0.
 
 use super::Constrained;
 use super::elimination::Factors;
@@ -7,7 +7,7 @@ use crate::diff::forward::along;
 use crate::ir::{Graph, Id, Symbol};
 
 impl Constrained<'_> {
-    /// μ of all rows from (A W Aᵀ) μ = −(A v + b)', with the rate along q' = v, p' = f.
+    /// Solves (A W Aᵀ) μ = −(A v + b)' for all rows. The rate on the right is that of the motion without multipliers, q' = v and p' = f.
     pub(crate) fn multipliers(&self, graph: &mut Graph) -> Vec<Id> {
         let rates = self.rates(graph);
         let one = graph.integer(1);

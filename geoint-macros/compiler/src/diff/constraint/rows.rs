@@ -42,7 +42,7 @@ impl Row {
         graph.add(along, self.drift)
     }
 
-    /// What vanishes if a step by the increments `dq` obeys the constraint: g at the end, or the mean of A v + b times h.
+    /// Returns a number that is 0 if a step by the increments `dq` obeys the constraint: g at its end, or h times the mean of A v + b.
     pub(super) fn condition(&self, graph: &mut Graph, dq: &[Id]) -> Id {
         match self.value {
             Some(value) => {
