@@ -314,6 +314,17 @@ fn a_start_that_slips() -> Result<(), StepError> {
     for refused in [SLEIGH.integrator(RK4, 0.1, slipping).step(), SLEIGH.adaptive(DOP853, 1e-9, slipping).step()] {
         assert_eq!(refused.expect_err("slips").failure, Failure::OffConstraint { what: row });
     }
+    // A state that is set later must obey the row, and a state at an event need not to rounding.
+    let mut sim = SLEIGH.adaptive(DOP853, 1e-6, start_of_sleigh());
+    sim.advance(5)?;
+    let event = sim.until_event(20.0, Direction::Any, |x| x.q[2] - 1.5)?;
+    assert!(event.is_some());
+    sim.advance(5)?;
+    let good = sim.state();
+    sim.set_state(State { t: good.t, ..slipping });
+    assert_eq!(sim.step().expect_err("slips").failure, Failure::OffConstraint { what: row });
+    sim.set_state(State { t: good.t, ..start_of_sleigh() });
+    sim.step()?;
 
     /// Two rows that are parallel where x = 1 or y = 0.
     #[hamiltonian(rolling = [v[0] - q[1] * v[2], q[0] * v[0] - q[1] * v[2]])]

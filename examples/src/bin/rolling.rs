@@ -96,7 +96,7 @@ fn disk_way(t: f64) -> [f64; 2] {
     [x(angle) - x(HEADING), y(angle) - y(HEADING)]
 }
 
-/// What the ball keeps in place of its energy.
+/// The function that the ball keeps in place of its energy.
 fn constant(state: &State<[f64; 5]>) -> f64 {
     let State { q, p, .. } = state;
     BALL.energy(state) - BALL.omega * (q[0] * p[1] - q[1] * p[0] + p[4])

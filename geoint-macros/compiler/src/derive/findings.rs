@@ -50,7 +50,7 @@ pub(crate) struct ConstrainedFindings {
     /// The integrals of the system with constraints.
     pub(crate) kept: analyze::Structure,
     pub(crate) rows: Vec<Row>,
-    /// What the rows of velocities say about positions.
+    /// Whether the rows of velocities bind positions.
     pub(crate) bindings: Vec<Binding>,
     pub(crate) gradient: Gradient,
 }

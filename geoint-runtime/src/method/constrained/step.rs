@@ -2,7 +2,8 @@
 //! emit its equation as [`ConstrainedStep`]. This file connects the equation with the driver, and checks the constraints.
 //!
 //! The unknowns are multipliers μ = −½h²λ, and increments of positions and momenta if the method needs them. Both methods define their step by λ. μ moves the
-//! positions by about W Gᵀμ, with G = ∂g/∂q and W = ∂²H/∂p². Tangent momenta need a second unknown ν for each constraint.
+//! positions by about W Gᵀμ, with G = ∂g/∂q and W = ∂²H/∂p². They also determine the normal parts of
+//! momenta, if the equation makes its ends tangent.
 //!
 //! Constraints depend on each other if the rows of G do. A step is refused if det(G W G₁ᵀ) ≤ 0, where G₁ is G at a later position. This is a test, and no
 //! proof: two changes of the sign within a step cancel. A step is also refused if its end is not on the constraints.

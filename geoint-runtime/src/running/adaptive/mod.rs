@@ -200,6 +200,10 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Pace for Controlled<
     }
 
     fn restart(&mut self, state: StateOf<S, R>) {
+        self.restart_within(state);
+        self.set = self.taken;
+    }
+    fn restart_within(&mut self, state: StateOf<S, R>) {
         let (t, z, s) = state.parts();
         self.continue_from(t, Point::with_action(z, s));
     }

@@ -30,8 +30,10 @@ pub struct Controlled<S: PhaseSpace<R>, M: Method<S, R>, R: Real> {
     pub(super) origin: S::Phase,
     pub(super) x: Carried<S, R>,
     pub(super) taken: u64,
-    /// Value of `taken` when the user gave the state.
+    /// Value of `taken` when the state was last given, by the user, by an event, or with a new system.
     pub(super) given: u64,
+    /// Value of `taken` when the user last gave a state.
+    pub(super) set: u64,
     pub(super) rejections: u64,
     /// Interval of time without poles, found so far.
     pub(super) clear: Clear<R>,
@@ -69,6 +71,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Controlled<S, M, R> 
             x,
             taken: 0,
             given: 0,
+            set: 0,
             rejections: 0,
             clear: Clear::unknown(),
             time_of_start: 0.0,
@@ -149,8 +152,8 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Controlled<S, M, R> 
             return Err(Failure::NotNormalised { length });
         }
         Failure::outside(self.system.outside_domain(self.now(), &self.x.z, &self.x.s))?;
-        // Later velocities obey constraints to the error of the method only.
-        if self.taken == 0
+        // A state of the user obeys constraints. Later velocities do so to the error of the method only.
+        if self.taken == self.set
             && let Some(unmet) = self.system.unmet(self.now(), R::from_f64(self.size()), &self.x.z)
         {
             return Err(unmet.into());

@@ -49,7 +49,7 @@ fn may_jump_at(graph: &mut Graph, function: Id, edge: &Edge, all: &[Edge]) -> bo
     // On the edge the function often is one of its two continuations.
     let is_on_one_side = on_edge == below || on_edge == above;
     let heights = if is_on_one_side { &heights[..1] } else { &heights[..] };
-    // The proof takes all other conditions as fixed. So none may change on the same surface, as x < 0 and 2x < 0 do.
+    // The proof holds all other conditions fixed. It fails if one of them changes on the same surface, as x < 0 and 2x < 0 do.
     let read = graph.reachable(heights);
     let other_edges = all.iter().filter(|other| other.difference != edge.difference);
     let mut remaining = other_edges.filter(|other| other.changing.iter().any(|changing| read.contains(&changing.node)));

@@ -3,7 +3,7 @@
 use crate::ir::formula::pow;
 use crate::ir::{Graph, Id, Ratio};
 
-/// M = L D Lᵀ of a symmetric M, with a diagonal D and a lower triangular L with ones on its diagonal. M is positive definite if inertia is positive.
+/// M = L D Lᵀ of a symmetric M, with a diagonal D and a lower triangular L with ones on its diagonal.
 pub(super) struct Factors {
     /// The entries of L before the diagonal.
     lower: Vec<Vec<Id>>,
@@ -91,7 +91,7 @@ impl Factors {
     }
 }
 
-/// The solution x of M x = `rhs`, by elimination without exchanges of rows. It is accurate for matrices near symmetric positive definite ones.
+/// The solution x of M x = `rhs`, by elimination without exchanges of rows. It is accurate for matrices near symmetric definite ones.
 pub(super) fn solve(graph: &mut Graph, mut matrix: Vec<Vec<Id>>, mut rhs: Vec<Id>) -> Vec<Id> {
     for k in 0..rhs.len() {
         for i in k + 1..rhs.len() {

@@ -112,8 +112,8 @@ impl<'a> Constrained<'a> {
         sizes
     }
 
-    /// For each constraint the coordinates with inertia that it couples: its own, and those of constraints that share a coordinate with it, directly or
-    /// through other constraints.
+    /// Returns for each constraint the coordinates with inertia that it couples. These are its own, and those of every constraint that shares a coordinate with
+    /// it or with another coupled one.
     fn coupled_coordinates(&self, graph: &Graph) -> Vec<Vec<usize>> {
         let n = self.degrees();
         let own = |row: &Row| (0..n).filter(|i| !graph.is_zero(row.gradient[*i])).collect();

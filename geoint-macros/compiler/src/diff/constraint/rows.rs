@@ -3,8 +3,9 @@
 use super::vectors::{ends, moved};
 use crate::diff::forward::jacobian;
 use crate::diff::gradient::discrete_gradient_with_time;
-use crate::ir::substitute::at_zero;
-use crate::ir::{Graph, Id, Number, Symbol};
+use crate::diff::slope::coordinate_in_middle;
+use crate::ir::substitute::{Substitution, at_zero};
+use crate::ir::{Graph, Id, Symbol};
 
 /// One constraint.
 #[derive(Clone, Debug)]
@@ -70,13 +71,6 @@ impl Row {
 
 /// Nodes at the mean position of a step. The time of a step is that of its middle.
 fn in_middle(graph: &mut Graph, nodes: &[Id]) -> Vec<Id> {
-    let degrees = nodes.iter().flat_map(|node| graph.symbols(*node));
-    let count = degrees.filter_map(|symbol| if let Symbol::Position(i) = symbol { Some(i + 1) } else { None }).max();
-    let mut halves = vec![];
-    for i in 0..count.unwrap_or(0) {
-        let increment = graph.symbol(Symbol::PositionIncrement(i));
-        halves.push(graph.scale(Number::HALF, increment));
-    }
-    let (middle, time) = (ends(graph, Symbol::Position, &halves), graph.symbol(Symbol::Time));
-    moved(graph, nodes, &middle, None, time)
+    let mut middle = Substitution::new(coordinate_in_middle);
+    nodes.iter().map(|node| middle.apply(graph, *node)).collect()
 }

@@ -5,7 +5,7 @@
 //! - q₁ − q₀ = h v̄ and P₁ − P₀ = h f̄ + Āᵀλ, with discrete gradients between (q₀, P₀) and (q₁, P₁),
 //! - the condition of each row over the step, and A₁v(q₁, p₁) + b₁ = 0.
 //!
-//! The rows of N are orthonormal in W (with |D| and the signs of D if inertia is negative). Tangent momenta have no part along them, so H(qᵢ, Pᵢ) = H(qᵢ, pᵢ) + |ν|²/2 at both ends. The energy is therefore kept,
+//! The rows of N are orthonormal in W, up to signs where inertia is negative. Tangent momenta have no part along them, so H(qᵢ, Pᵢ) = H(qᵢ, pᵢ) + |ν|²/2 at both ends. The energy is therefore kept,
 //! although each pᵢ is tangent. The step is symmetric and of order 2, and ν = O(h²).
 //!
 //! The unknowns are those of the plain step, with the sum s = P₁ + P₀ − 2p₀ in place of p₁ − p₀. They determine ν = C₀ᵀw: the rate at the end is that of the

@@ -78,16 +78,18 @@ fn equations(report: &mut Report<'_>, found: &ConstrainedFindings, system: &Syst
     let (n, m) = (gradient.q.len(), rows.len());
     let (constraints, free) = (plural(m), plural(n - m));
     writeln!(report, "- {n} coordinates and {m} constraint{constraints}: {} degree{free} of freedom", n - m);
-    let conditions = [(positions.is_empty(), "g = 0, dg/dt = 0"), (velocities.is_empty(), "A∂H/∂p + b = 0")];
-    let start: Vec<&str> = conditions.iter().filter(|(absent, _)| !absent).map(|(_, condition)| *condition).collect();
-    let start = start.join(", ");
+    let start = match (positions.is_empty(), velocities.is_empty()) {
+        (true, _) => "A∂H/∂p + b = 0",
+        (_, true) => "g = 0, dg/dt = 0",
+        _ => "g = 0, dg/dt = 0, A∂H/∂p + b = 0",
+    };
     writeln!(report, "- a state starts with {start}; `state_on_constraint` gives the nearest one");
     if let Some(found) = &structure.damping {
         friction::damping(report, found, structure.autonomous);
     }
 }
 
-/// What constraints of velocities say about positions.
+/// Says whether constraints of velocities bind positions.
 fn bound(report: &Report<'_>, binding: &Binding) -> String {
     match binding {
         Binding::Pair { rows: [i, j], factor, function } => {
@@ -120,9 +122,9 @@ fn steps(report: &mut Report<'_>, found: &ConstrainedFindings, system: &System, 
         let (unknowns, operations) = (step.unknowns.len(), step.kernel.operations());
         writeln!(report, "- `{method}`, {unknowns} unknown{}, an iteration: {operations}", plural(unknowns));
     }
-    match kernels.steps.last() {
-        Some((method, _)) if rolls => writeln!(report, "- it may be composed: `Suzuki4.of({method})`"),
-        _ => writeln!(report, "- both may be composed: `Suzuki4.of(Rattle)`"),
+    match rolls {
+        true => writeln!(report, "- it may be composed: `Suzuki4.of(DiscreteGradient)`"),
+        false => writeln!(report, "- both may be composed: `Suzuki4.of(Rattle)`"),
     }
     if kernels.quadratic {
         writeln!(report, "- momenta are tangent to the constraints at the ends of steps");
