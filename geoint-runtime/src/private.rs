@@ -1,11 +1,13 @@
 //! Items that emitted code uses. Not part of the public interface.
 
-pub use crate::method::Method;
-pub use crate::method::constrained::Rattle;
 pub use crate::method::constrained::step::MultiplierStep;
+pub use crate::method::constrained::{DampedRattle, Rattle};
 pub use crate::method::contact::gauss::{ContactFieldStages, SolvedByContactGauss};
 pub use crate::method::contact::implicit::ContactStep;
-pub use crate::method::contact::{ContactDiscreteGradient, ContactGauss as ContactGaussCollocation, ContactMidpoint};
+pub use crate::method::contact::{
+    ContactDiscreteGradient, ContactGauss as ContactGaussCollocation, ContactLeapfrog, ContactMidpoint,
+    ExplicitLeapfrog,
+};
 pub use crate::method::corrected::invariants::{
     CanonicalEnergy, EnergyAndMomenta, Integral, Integrals as KeptIntegrals, VelocityEnergy,
 };
@@ -13,8 +15,8 @@ pub use crate::method::discrete_gradient::DiscreteGradient;
 pub use crate::method::discrete_gradient::polarised::PolarisedStep;
 pub use crate::method::discrete_gradient::tree::TreeStep;
 pub use crate::method::flows::pieces::{
-    ContactSplitting, PieceSplitting, PlanarDiscreteGradient, PlanarItohAbe, PlanarSplitting, PoissonSplitting,
-    planar_step,
+    ContactSplitting, PieceComposition, PieceSplitting, PlanarDiscreteGradient, PlanarItohAbe, PlanarSplitting,
+    PoissonSplitting, planar_step,
 };
 pub use crate::method::gauss::Gauss as GaussCollocation;
 pub use crate::method::gauss::canonical::CanonicalStages;
@@ -24,6 +26,7 @@ pub use crate::method::gauss::tableau::GaussTableau;
 pub use crate::method::gauss::velocities::VelocityStages;
 pub use crate::method::implicit::ImplicitMethod;
 pub use crate::method::proof::{ForwardInTime, Given};
+pub use crate::method::{Method, SteppedAs};
 pub use crate::method::{gradient_kick, modified_verlet};
 pub use crate::running::{Adaptive, Integrator, StepError, TaylorIntegrator, state_on_constraint};
 pub use crate::scalar::Real;

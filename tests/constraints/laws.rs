@@ -147,7 +147,7 @@ fn defects<S, const N: usize>(
     rods: impl Fn(&[f64], f64) -> Rods,
 ) -> Result<[f64; 3], StepError>
 where
-    S: geoint_runtime::Constrained<Coordinates = [f64; N], Array = [f64; N]>,
+    S: geoint_runtime::Constrained<Coordinates = [f64; N], Array = [f64; N], State = State<[f64; N]>>,
     DiscreteGradient: Method<S>,
 {
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();

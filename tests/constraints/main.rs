@@ -8,5 +8,6 @@ mod laws;
 mod runs;
 mod moving;
 mod both;
+mod action;
 mod refusals;
 mod rolling;

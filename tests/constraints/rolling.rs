@@ -64,7 +64,7 @@ fn far<const N: usize>(a: [f64; N], b: [f64; N]) -> f64 {
 
 fn ended<S, M, const N: usize>(system: S, method: M, h: f64, start: State<[f64; N]>, time: f64) -> State<[f64; N]>
 where
-    S: geoint_runtime::Constrained<Coordinates = [f64; N], Array = [f64; N]>,
+    S: geoint_runtime::Constrained<Coordinates = [f64; N], Array = [f64; N], State = State<[f64; N]>>,
     M: Method<S>,
 {
     crate::systems::run(system, method, h, start, time).state()

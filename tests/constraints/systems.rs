@@ -149,7 +149,7 @@ pub(crate) fn run<S, M, const N: usize>(
     time: f64,
 ) -> Integrator<S, M>
 where
-    S: Constrained<Coordinates = [f64; N], Array = [f64; N]>,
+    S: Constrained<Coordinates = [f64; N], Array = [f64; N], State = State<[f64; N]>>,
     M: Method<S>,
 {
     let mut sim = Integrator::new(system, method, h, start);

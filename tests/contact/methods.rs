@@ -1,10 +1,10 @@
 //! Every splitting for contact systems: order, symmetry, the contact form, laws that are exact.
 
 use crate::measure::{field, run, solution, state};
+use geoint_runtime::method::SteppedAs;
 use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::private::ModifiedEnergy;
-use geoint_runtime::system::Pieces;
 use geoint_runtime::{Contact, Real};
 use geoint_tests::claims::{Geometry, Orders, Symmetry};
 use geoint_tests::measure::distance;
@@ -121,7 +121,7 @@ fn bob(q: f64, p: f64, s: f64, gamma: f64) -> f64 {
 fn modified_energies() {
     fn defect<P: Scene>(h: f64) -> f64
     where
-        P::Over<f64>: Pieces<ContactSplitting>,
+        P::Over<f64>: SteppedAs<ContactSplitting>,
         P::Over<Dual>: ModifiedEnergy<Dual>,
     {
         let (t, x) = P::start();
@@ -147,7 +147,7 @@ fn modified_energies() {
     }
     fn check<P: Scene>()
     where
-        P::Over<f64>: Pieces<ContactSplitting>,
+        P::Over<f64>: SteppedAs<ContactSplitting>,
         P::Over<Dual>: ModifiedEnergy<Dual>,
     {
         let [coarse, fine] = [0.1, 0.05].map(defect::<P>);

@@ -11,15 +11,17 @@ pub use geoint_runtime::method::catalogue::{
 };
 
 use geoint_runtime::Real;
+use geoint_runtime::method::SteppedAs;
 use geoint_runtime::method::catalogue;
+use geoint_runtime::method::constrained::DampedRattle;
 use geoint_runtime::method::implicit::SolvedBy;
 use geoint_runtime::methods::*;
 use geoint_runtime::private::{Collocation, DiscreteField, QuadraticField, SolvedByContactGauss, SolvedByGauss};
 use geoint_runtime::system::Conservative;
 use geoint_runtime::system::Pieces;
 use geoint_runtime::{
-    ForceGradient, Mechanical, Perturbation, Perturbed, PerturbedGradient, PhaseSpace, PlanarSplitting,
-    PoissonSplitting, QuadraticKinetic, Rattle, Separable,
+    ForceGradient, Perturbation, Perturbed, PerturbedGradient, PhaseSpace, PlanarSplitting, PoissonSplitting,
+    QuadraticKinetic, Rattle, Separable,
 };
 
 /// Perturbation and force-gradient methods with a processor.
@@ -106,9 +108,18 @@ kinds! {
     kinds_of_constrained [SolvedBy<Rattle, R> + SolvedBy<DiscreteGradient, R>]:
         Rattle, DiscreteGradient, Suzuki4.of(Rattle), Suzuki4.of(DiscreteGradient);
     /// Kinds of [`pieces`], for contact systems.
-    kinds_of_pieces [Pieces<ContactSplitting, R>]: ContactSplitting, BlanesMoan4X, Suzuki4.of(ContactSplitting);
+    kinds_of_pieces [Pieces<ContactSplitting, R> + SteppedAs<ContactSplitting, R, Steps = PieceComposition<1>>]:
+        ContactSplitting, BlanesMoan4X, Suzuki4.of(ContactSplitting);
+    /// Kinds of [`catalogue::constrained_contact`].
+    kinds_of_constrained_contact [
+        SteppedAs<ContactSplitting, R, Steps = DampedRattle<ContactSplitting>>
+            + SolvedBy<DampedRattle<ContactSplitting>, R>
+            + SteppedAs<ContactLeapfrog, R>
+            + SolvedBy<ContactDiscreteGradient, R>
+    ]: ContactSplitting, ContactLeapfrog, ContactDiscreteGradient, Suzuki4.of(ContactSplitting),
+        Suzuki4.of(ContactDiscreteGradient);
     /// Kinds of [`catalogue::mechanical`].
-    kinds_of_mechanical [Mechanical<R>]: ContactLeapfrog, Suzuki4.of(ContactLeapfrog);
+    kinds_of_mechanical [SteppedAs<ContactLeapfrog, R>]: ContactLeapfrog, Suzuki4.of(ContactLeapfrog);
     /// Kinds of [`catalogue::contact`].
     kinds_of_contact [
         SolvedByContactGauss<R> + SolvedBy<ContactMidpoint, R> + SolvedBy<ContactDiscreteGradient, R>
@@ -135,6 +146,7 @@ macro_rules! every_kind {
             in_coordinates_of_jacobi on $crate::problems::Planets, 0.05: methods kinds_of_perturbed, methods processed;
             one_degree_of_freedom on $crate::scenes::Shears, 0.05: methods coordinate_increment, methods kinds_of_coupled;
             constrained on $crate::scenes::Spheres, 0.02: methods kinds_of_constrained;
+            constrained_contact on $crate::scenes::DampedSpheres, 0.02: methods kinds_of_constrained_contact;
             contact on $crate::scenes::Charges, 0.05: methods kinds_of_pieces, methods kinds_of_contact;
             damped on $crate::scenes::Relativists, 0.05: methods kinds_of_separable, methods kinds_of_mechanical;
             flows on $crate::scenes::Spins, 0.05: methods kinds_of_poisson, methods kinds_of_planar;
@@ -157,6 +169,7 @@ macro_rules! every_method {
             in_coordinates_of_jacobi on $crate::problems::Planets, 0.05: methods perturbed, methods processed;
             one_degree_of_freedom on $crate::scenes::Shears, 0.05: methods coordinate_increment, catalogue coupled;
             constrained on $crate::scenes::Spheres, 0.02: methods constrained;
+            constrained_contact on $crate::scenes::DampedSpheres, 0.02: catalogue constrained_contact;
             contact on $crate::scenes::Charges, 0.05: catalogue pieces, catalogue contact;
             damped on $crate::scenes::Relativists, 0.05: methods separable, catalogue mechanical;
             flows on $crate::scenes::Spins, 0.05: catalogue poisson, catalogue planar;

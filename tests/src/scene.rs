@@ -116,6 +116,15 @@ pub fn canonical_defect(directions: &[Vec<f64>], images: &[Vec<f64>]) -> f64 {
     defect
 }
 
+/// Returns the distance of ds − p dq from a multiple of its value before, for displacements in `directions`. The last direction is that of s.
+pub fn contact_defect_along(directions: &[Vec<f64>], images: &[Vec<f64>], before: &[f64], after: &[f64]) -> f64 {
+    let n = before.len() / 2;
+    let form = |p: &[f64], u: &[f64]| u[2 * n] - (0..n).map(|i| p[n + i] * u[i]).sum::<f64>();
+    let factor = images.last().map_or(f64::NAN, |image| form(after, image));
+    let pairs = directions.iter().zip(images);
+    pairs.map(|(u, image)| (form(after, image) - factor * form(before, u)).abs()).fold(0.0, f64::max)
+}
+
 /// Returns the distance of ds − p dq from a multiple of its value before, for all unit vectors as directions.
 pub fn contact_defect(images: &[Vec<f64>], before: &[f64], after: &[f64]) -> f64 {
     let n = before.len() / 2;

@@ -1,4 +1,5 @@
-//! S31: the two lines of the contact leapfrog as the slide prints them, with friction a(t) and a force f(t). S32: without friction they are leapfrog.
+//! S31: the two lines of the contact leapfrog as the slide prints them, with friction a(t) and a force f(t). S32: without friction they are leapfrog. S50: a
+//! problem on which its errors are smaller.
 
 use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
@@ -101,4 +102,38 @@ fn without_friction_contact_leapfrog_is_leapfrog() {
     }
     // One unit in the last place of numbers between 1 and 2.
     assert!(largest <= 2.3e-16 && control > 1e-4, "{largest:e} {control:e}");
+}
+
+/// A body that falls through a medium.
+#[contact_hamiltonian]
+fn falling(q: f64, p: f64, s: f64, m: f64, g: f64, gamma: f64) -> f64 {
+    p * p / (2.0 * m) + m * g * q + gamma * s
+}
+
+/// S50, a problem on which the variational integrator is more accurate at the same order: its terminal speed g/γ is exact, because ½(p₀ + p₁) has the friction.
+/// The splitting falls with the speed gh/(2 sinh(γh/2)).
+#[test]
+fn the_variational_step_has_the_exact_terminal_speed() -> Result<(), StepError> {
+    let (m, g, gamma, h) = (1.7, 9.81, 0.5, 0.2);
+    let system = Falling { m, g, gamma };
+    let start = ContactState::new(0.0, 0.0, 0.0);
+    let (mut leapfrog, mut splitting) =
+        (system.integrator(ContactLeapfrog, h, start), system.integrator(ContactSplitting, h, start));
+    leapfrog.advance(1000)?;
+    splitting.advance(1000)?;
+    let relative = |p: f64| -p * gamma / (m * g) - 1.0;
+    assert!(relative(leapfrog.state().p).abs() < 1e-14, "{:e}", relative(leapfrog.state().p));
+    let expected = gamma * h / (2.0 * (gamma * h / 2.0).sinh()) - 1.0;
+    assert!((relative(splitting.state().p) / expected - 1.0).abs() < 1e-10, "{:e}", relative(splitting.state().p));
+    // The same holds for the speed between two positions.
+    let mut fallen = [0.0; 2];
+    fallen[0] = leapfrog.state().q;
+    leapfrog.step()?;
+    fallen[0] -= leapfrog.state().q;
+    fallen[1] = splitting.state().q;
+    splitting.step()?;
+    fallen[1] -= splitting.state().q;
+    let errors = fallen.map(|way| (way / h * gamma / g - 1.0).abs());
+    assert!(errors[0] < 1e-11 && errors[1] > 1e-4, "{errors:?}");
+    Ok(())
 }

@@ -18,5 +18,6 @@ mod mechanics;
 mod neurons;
 mod sampling;
 mod satellite;
+mod singular;
 mod velocities;
 mod waves;

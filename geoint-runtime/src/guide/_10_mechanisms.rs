@@ -76,7 +76,7 @@
 //! ```
 //!
 //! - **Methods.** [`Rattle`](crate::Rattle) is symplectic, `DiscreteGradient` keeps the energy, `Suzuki4.of(…)` of them has order 4. They keep the
-//!   bars and their rates to rounding, and accept `rayleigh` with R quadratic in v. No other methods work with constraints.
+//!   bars and their rates to rounding, and accept a quadratic `rayleigh`. For friction γ(t)·s: `ContactSplitting`, `ContactDiscreteGradient`.
 //! - **Drives.** `force` does not compile with constraints. Add the potential of a torque: here `+ torque * q[1].atan2(q[0])` in L. H contains it. At
 //!   ±π the angle jumps by 2π, and `sim.energy()` by 2π·torque: this is the work of one turn. The motion does not jump. Change `torque` by
 //!   `set_system`. A prescribed motion is a constraint that reads t, as in the example `crank`.
@@ -84,7 +84,7 @@
 //! - **Momenta** are tangent to the constraints, but for `DiscreteGradient` with a T that is not quadratic: use `sim.state_on_constraint()?` there.
 //! # Wheels and blades
 //! `rolling = [r]` with r = A(q, t)v + b(q, t) stands alone or beside `constraint`. The examples `sleigh` and `rolling` show a blade, a disk and a ball.
-//! `DiscreteGradient` keeps r at rounding, and the energy if b = 0. `RK4`, `DOP853` and `adaptive` keep r to their error. `multipliers()` has Aᵀμ.
+//! `DiscreteGradient` keeps r, and the energy if b = 0. `RK4`, `DOP853` and `adaptive` keep r to their error. `multipliers()` has Aᵀμ.
 //! # Kinds of Lagrangians
 //! | L | methods |
 //! |---|---|
@@ -115,6 +115,6 @@
 //! - A start off a constraint: [`OffConstraint`](crate::Failure::OffConstraint). `state_on_constraint` returns the nearest valid state.
 //! - A dead point with all bars in one line, from which two motions lead on: [`DependentConstraints`](crate::Failure::DependentConstraints), `Singular`.
 //! - A velocity outside the domain of L, such as v > c, or one that its momentum does not determine: [`NoMomentum`](crate::Failure::NoMomentum).
-//! - With constraints, `force` and an action do not compile. With `constraint`, adaptive runs and explicit methods do not.
+//! - With constraints, `force` does not compile, nor `rolling` beside an action. With `constraint`, adaptive runs and explicit methods do not.
 //!
 //! Next: [fields with integrals and rigid bodies](super::_11_fields), [events](super::_12_events), [games and real time](super::_13_real_time).

@@ -114,7 +114,7 @@
 //!
 //! - GPUs, parallel steps, sparse matrices, partial differential equations, stochastic and delay equations.
 //! - Taylor series for rigid bodies (`attitude = r`), constraints, and Lagrangians with three or more coupled velocities.
-//! - `force` or an action together with `constraint` or `rolling`: a motor in a closed chain is possible only by a potential, such as a term `- f * q[0]` in H.
+//! - `force` together with `constraint` or `rolling`, and `rolling` beside an action: a motor in a closed chain is possible only by a potential, such as a term `- f * q[0]` in H.
 //! - Functions of other crates inside an energy. See [the language](super::_04_language) and [traits by hand](super::_14_by_hand).
 //!
 //! Next: [traits by hand](super::_14_by_hand), [errors and remedies](super::_16_errors), [which method](super::_03_which_method).

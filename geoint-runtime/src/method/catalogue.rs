@@ -35,8 +35,7 @@
 //! assert!(best.0.is_some_and(|(_, error)| error < 1e-12));
 //! ```
 
-use crate::method::Method;
-use crate::method::constrained::Rattle;
+use crate::method::constrained::{DampedRattle, Rattle};
 use crate::method::contact::{
     ContactDiscreteGradient, ContactGauss, ContactLeapfrog, ContactMidpoint, SolvedByContactGauss,
 };
@@ -48,18 +47,19 @@ use crate::method::discrete_gradient::{
 use crate::method::explicit::{DOP853, ExplicitEuler, RK4};
 use crate::method::flows::perturbed::Perturbation;
 use crate::method::flows::pieces::{
-    ContactSplitting, PieceSplitting, PlanarDiscreteGradient, PlanarItohAbe, PlanarItohAbeAdjoint, PlanarItohAbePair,
-    PlanarSplitting, PoissonSplitting,
+    ContactSplitting, PieceComposition, PieceSplitting, PlanarDiscreteGradient, PlanarItohAbe, PlanarItohAbeAdjoint,
+    PlanarItohAbePair, PlanarSplitting, PoissonSplitting,
 };
 use crate::method::flows::{FiveRotations, PositionVerlet, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint};
 use crate::method::gauss::{Gauss, ImplicitMidpoint, SolvedByGauss};
 use crate::method::implicit::SolvedBy;
 use crate::method::kahan::Kahan;
 use crate::method::tables::*;
+use crate::method::{Method, SteppedAs};
 use crate::scalar::Real;
 use crate::system::{
-    Autonomous, Collocation, Conservative, DiscreteField, ForceGradient, Mechanical, NystromPieces, Perturbed,
-    PerturbedGradient, PhaseSpace, Pieces, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
+    Autonomous, Collocation, Conservative, DiscreteField, ForceGradient, NystromPieces, Perturbed, PerturbedGradient,
+    PhaseSpace, Pieces, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
 };
 
 /// Receives each method of a list. A visitor that prints `method.name()` lists the names that [`Named`](crate::running::Named) accepts.
@@ -211,8 +211,23 @@ where
     compositions!(visitor: Rattle, DiscreteGradient);
 }
 
+/// Methods for contact systems with constraints.
+pub fn constrained_contact<S, R: Real>(visitor: &mut impl Visitor<S, R>)
+where
+    S: SteppedAs<ContactSplitting, R, Steps = DampedRattle<ContactSplitting>>
+        + SolvedBy<DampedRattle<ContactSplitting>, R>
+        + SteppedAs<ContactLeapfrog, R>
+        + SolvedBy<ContactDiscreteGradient, R>,
+{
+    show!(visitor: ContactSplitting, ContactLeapfrog, ContactDiscreteGradient);
+    compositions!(visitor: ContactSplitting, ContactLeapfrog, ContactDiscreteGradient);
+}
+
 /// Methods for contact systems whose pieces have flows in closed form.
-pub fn pieces<S: Pieces<ContactSplitting, R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+pub fn pieces<S, R: Real>(visitor: &mut impl Visitor<S, R>)
+where
+    S: Pieces<ContactSplitting, R> + SteppedAs<ContactSplitting, R, Steps = PieceComposition<1>>,
+{
     show!(visitor: ContactSplitting, BlanesMoan4X, BlanesMoan6X);
     compositions!(visitor: ContactSplitting);
 }
@@ -238,8 +253,8 @@ where
     compositions!(visitor: PlanarDiscreteGradient, PlanarItohAbePair);
 }
 
-/// Methods for contact systems T(p) + g(t)s + V(q), in addition to the methods of [`separable`].
-pub fn mechanical<S: Mechanical<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+/// The methods for contact systems T(p) + g(t)s + V(q), in addition to those of [`separable`].
+pub fn mechanical<S: SteppedAs<ContactLeapfrog, R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: ContactLeapfrog);
     compositions!(visitor: ContactLeapfrog);
 }

@@ -20,6 +20,7 @@ pub mod kahan;
 mod name;
 mod probe;
 pub(crate) mod proof;
+mod stepped_as;
 pub mod tables;
 
 pub use catalogue::Visitor;
@@ -31,6 +32,7 @@ pub use name::Name;
 pub use probe::{Probe, Unwatched};
 pub(crate) use probe::{check_conditions, check_end, check_poles, check_way, start};
 pub(in crate::method) use proof::And;
+pub use stepped_as::SteppedAs;
 
 pub use crate::solving::{Effort, Failure, Observer};
 

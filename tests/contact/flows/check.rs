@@ -1,6 +1,7 @@
 //! Compares a flow with its differential equation, and checks the common properties of all contact flows.
 
 use crate::measure::field;
+use geoint_runtime::method::SteppedAs;
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::Contact;
 use geoint_runtime::system::{Clock, Pieces};
@@ -21,10 +22,13 @@ impl<const N: usize, S> Closed<N> for S where S: Over<f64, N> + Over<Double, N> 
 
 /// A contact system in pieces, with N positions.
 pub(super) trait Over<R: Real, const N: usize>:
-    Pieces<ContactSplitting, R> + Contact<R, Array = [R; N]>
+    Pieces<ContactSplitting, R> + SteppedAs<ContactSplitting, R> + Contact<R, Array = [R; N]>
 {
 }
-impl<R: Real, const N: usize, S: Pieces<ContactSplitting, R> + Contact<R, Array = [R; N]>> Over<R, N> for S {}
+impl<R: Real, const N: usize, S> Over<R, N> for S where
+    S: Pieces<ContactSplitting, R> + SteppedAs<ContactSplitting, R> + Contact<R, Array = [R; N]>
+{
+}
 
 /// The largest error, in units of the condition.
 const BOUND: f64 = 3.0;

@@ -20,6 +20,51 @@ mod contact_action_missing {
     }
 }
 
+mod contact_constrained_lift {
+    use geoint_runtime::contact_hamiltonian;
+
+    #[contact_hamiltonian(lift, constraint = [q[0] * q[0] + q[1] * q[1] - 1.0])]
+    fn turning(q: [f64; 2], p: [f64; 2], _s: f64, w: f64) -> f64 {
+        w * (p[1] * q[0] - p[0] * q[1])
+    }
+}
+
+mod contact_constrained_split {
+    use geoint_runtime::contact_hamiltonian;
+
+    #[contact_hamiltonian(split = "p[0] * p[0] | gamma * s", constraint = [q[0] * q[0] + q[1] * q[1] - 1.0])]
+    fn pendulum(q: [f64; 2], p: [f64; 2], s: f64, gamma: f64) -> f64 {
+        p[0] * p[0] + p[1] * p[1] + gamma * s
+    }
+}
+
+mod contact_constraint_reads_action {
+    use geoint_runtime::contact_hamiltonian;
+
+    #[contact_hamiltonian(constraint = [q[0] * q[0] + q[1] * q[1] - s])]
+    fn pendulum(q: [f64; 2], p: [f64; 2], s: f64, gamma: f64) -> f64 {
+        p[0] * p[0] + p[1] * p[1] + gamma * s
+    }
+}
+
+mod contact_constraint_reads_momenta {
+    use geoint_runtime::contact_hamiltonian;
+
+    #[contact_hamiltonian(constraint = [q[0] * p[0] + q[1] * p[1]])]
+    fn pendulum(q: [f64; 2], p: [f64; 2], s: f64, gamma: f64) -> f64 {
+        p[0] * p[0] + p[1] * p[1] + gamma * s
+    }
+}
+
+mod contact_constraint_with_square_of_action {
+    use geoint_runtime::contact_hamiltonian;
+
+    #[contact_hamiltonian(constraint = [q[0] * q[0] + q[1] * q[1] - 1.0])]
+    fn pendulum(q: [f64; 2], p: [f64; 2], s: f64, gamma: f64) -> f64 {
+        p[0] * p[0] + p[1] * p[1] + gamma * s * s
+    }
+}
+
 mod contact_damping {
     use geoint_runtime::prelude::*;
 

@@ -16,12 +16,30 @@ mod lagrangian_constraint_reads_time {
     }
 }
 
-mod lagrangian_constraint_with_action {
+mod lagrangian_constraint_with_action_and_friction {
+    use geoint_runtime::lagrangian;
+
+    #[lagrangian(constraint = [q[0] * q[0] + q[1] * q[1] - 1.0], rayleigh = 0.1 * (v[0] * v[0] + v[1] * v[1]))]
+    fn pendulum(q: [f64; 2], v: [f64; 2], s: f64, m: f64) -> f64 {
+        m * (v[0] * v[0] + v[1] * v[1]) / 2.0 - 9.81 * m * q[1] - 0.1 * s
+    }
+}
+
+mod lagrangian_constraint_with_friction_of_positions {
     use geoint_runtime::lagrangian;
 
     #[lagrangian(constraint = [q[0] * q[0] + q[1] * q[1] - 1.0])]
     fn pendulum(q: [f64; 2], v: [f64; 2], s: f64, m: f64) -> f64 {
-        m * (v[0] * v[0] + v[1] * v[1]) / 2.0 - 9.81 * m * q[1] - 0.1 * s
+        m * (v[0] * v[0] + v[1] * v[1]) / 2.0 - 9.81 * m * q[1] - 0.1 * q[1].exp() * s
+    }
+}
+
+mod lagrangian_linear_with_action {
+    use geoint_runtime::lagrangian;
+
+    #[lagrangian]
+    fn vortex(q: [f64; 2], v: [f64; 2], s: f64, m: f64) -> f64 {
+        m * (q[0] * v[1] - q[1] * v[0]) / 2.0 - (q[0] * q[0] + q[1] * q[1]).ln() - 0.1 * s
     }
 }
 

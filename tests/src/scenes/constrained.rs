@@ -1,8 +1,8 @@
 //! Masses on surfaces: systems with one constraint, whose differential equation is written by hand.
 
 use crate::scalars::Scalar;
-use crate::scene::{Scene, canonical_defect};
-use geoint_runtime::{Real, hamiltonian};
+use crate::scene::{Scene, canonical_defect, contact_defect_along};
+use geoint_runtime::{Real, contact_hamiltonian, hamiltonian};
 
 /// A mass at a distance l of the origin, in a field that is not uniform.
 #[hamiltonian(constraint = [(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] - l * l) / 2.0])]
@@ -14,6 +14,19 @@ pub fn on_a_sphere(q: [f64; 3], p: [f64; 3], m: f64, l: f64, g: f64) -> f64 {
 #[hamiltonian(constraint = [(q[0] * q[0] / (a * a) + q[1] * q[1] / (b * b) - 1.0) / 2.0])]
 pub fn on_an_ellipse(q: [f64; 2], p: [f64; 2], m: [f64; 2], a: f64, b: f64, g: f64) -> f64 {
     p[0] * p[0] / (2.0 * m[0]) + p[1] * p[1] / (2.0 * m[1]) + m[1] * g * q[1] + 0.2 * q[0].powi(4)
+}
+
+/// [`on_a_sphere`] with friction.
+#[contact_hamiltonian(constraint = [(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] - l * l) / 2.0])]
+pub fn damped_on_a_sphere(q: [f64; 3], p: [f64; 3], s: f64, m: f64, l: f64, g: f64, gamma: f64) -> f64 {
+    (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / (2.0 * m) + m * g * q[2] + 0.3 * q[0].powi(4) + gamma * s
+}
+
+/// [`on_an_ellipse`] with friction that time changes.
+#[contact_hamiltonian(constraint = [(q[0] * q[0] / (a * a) + q[1] * q[1] / (b * b) - 1.0) / 2.0])]
+pub fn damped_on_an_ellipse(q: [f64; 2], p: [f64; 2], s: f64, t: f64, m: [f64; 2], a: f64, b: f64, g: f64) -> f64 {
+    let still = p[0] * p[0] / (2.0 * m[0]) + p[1] * p[1] / (2.0 * m[1]) + m[1] * g * q[1] + 0.2 * q[0].powi(4);
+    still + (0.3 + 0.2 * t.sin()) * s
 }
 
 /// T = Σ pᵢ²/2mᵢ with the constraint (Σ wᵢqᵢ² − const)/2 = 0.
@@ -83,6 +96,14 @@ pub struct Spheres;
 #[derive(Clone, Copy, Debug)]
 pub struct Ellipses;
 
+/// [`DampedOnASphere`] from a start.
+#[derive(Clone, Copy, Debug)]
+pub struct DampedSpheres;
+
+/// [`DampedOnAnEllipse`] from a start.
+#[derive(Clone, Copy, Debug)]
+pub struct DampedEllipses;
+
 fn sphere<R: Real>() -> Surface<R, 3> {
     Surface { masses: [1.4; 3].map(R::from_f64), weights: [1.0; 3].map(R::from_f64) }
 }
@@ -141,5 +162,98 @@ impl Scene for Ellipses {
     }
     fn form_defect(directions: &[Vec<f64>], images: &[Vec<f64>], _: &[f64], _: &[f64]) -> f64 {
         canonical_defect(directions, images)
+    }
+}
+
+/// Adds the friction γ and the action to the rates of a scene without them: p' − γp and s' = p·q' − H. Tangent momenta need no other multiplier.
+fn with_friction<R: Real>(mut rate: Vec<R>, x: &[R], gamma: R, energy: R) -> Vec<R> {
+    let n = rate.len() / 2;
+    let mut power = -energy;
+    for i in 0..n {
+        power += x[n + i] * rate[i];
+        rate[n + i] -= gamma * x[n + i];
+    }
+    rate.push(power);
+    rate
+}
+
+/// Applies a map of (q, p) to a state, or a displacement, with an action.
+fn beside_action<R: Real>(mut x: Vec<R>, map: impl Fn(Vec<R>) -> Vec<R>) -> Vec<R> {
+    let s = x.pop();
+    map(x).into_iter().chain(s).collect()
+}
+
+/// The directions of (q, p), then that of s.
+fn with_action(directions: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+    let length = directions.first().map_or(0, Vec::len);
+    let last = [vec![0.0; length], vec![1.0]].concat();
+    directions.into_iter().map(|direction| [direction, vec![0.0]].concat()).chain([last]).collect()
+}
+
+/// The friction of [`DampedSpheres`].
+const FRICTION: f64 = 0.35;
+
+impl Scene for DampedSpheres {
+    type Over<R: Scalar> = DampedOnASphere<R>;
+    const NAME: &'static str = "DampedOnASphere";
+
+    fn over<R: Scalar>() -> DampedOnASphere<R> {
+        let OnASphere { m, l, g } = Spheres::over();
+        DampedOnASphere { m, l, g, gamma: R::from_f64(FRICTION) }
+    }
+    fn start() -> (f64, Vec<f64>) {
+        let (t, x) = Spheres::start();
+        (t, [x, vec![0.4]].concat())
+    }
+    fn rate<R: Scalar>(system: &DampedOnASphere<R>, t: R, x: &[R]) -> Vec<R> {
+        let DampedOnASphere { m, l, g, gamma } = *system;
+        let free = Spheres::rate(&OnASphere { m, l, g }, t, &x[..6]);
+        let kinetic = (x[3] * x[3] + x[4] * x[4] + x[5] * x[5]) / (R::from_f64(2.0) * m);
+        let quartic = R::from_f64(0.3) * x[0] * x[0] * x[0] * x[0];
+        with_friction(free, x, gamma, kinetic + m * g * x[2] + quartic + gamma * x[6])
+    }
+    fn directions() -> Vec<Vec<f64>> {
+        with_action(Spheres::directions())
+    }
+    fn compared<R: Scalar>(x: Vec<R>) -> Vec<R> {
+        beside_action(x, Spheres::compared)
+    }
+    fn form_defect(directions: &[Vec<f64>], images: &[Vec<f64>], before: &[f64], after: &[f64]) -> f64 {
+        contact_defect_along(directions, images, before, after)
+    }
+    fn energy_after(duration: f64, energy: f64) -> f64 {
+        energy * (-FRICTION * duration).exp()
+    }
+}
+
+impl Scene for DampedEllipses {
+    type Over<R: Scalar> = DampedOnAnEllipse<R>;
+    const NAME: &'static str = "DampedOnAnEllipse";
+
+    fn over<R: Scalar>() -> DampedOnAnEllipse<R> {
+        let OnAnEllipse { m, a, b, g } = Ellipses::over();
+        DampedOnAnEllipse { m, a, b, g }
+    }
+    fn start() -> (f64, Vec<f64>) {
+        let (t, x) = Ellipses::start();
+        (t, [x, vec![-0.3]].concat())
+    }
+    fn rate<R: Scalar>(system: &DampedOnAnEllipse<R>, t: R, x: &[R]) -> Vec<R> {
+        let DampedOnAnEllipse { m, a, b, g } = *system;
+        let free = Ellipses::rate(&OnAnEllipse { m, a, b, g }, t, &x[..4]);
+        let half = R::from_f64(0.5);
+        let kinetic = half * x[2] * x[2] / m[0] + half * x[3] * x[3] / m[1];
+        let quartic = R::from_f64(0.2) * x[0] * x[0] * x[0] * x[0];
+        let gamma = R::from_f64(0.3) + R::from_f64(0.2) * t.sin();
+        with_friction(free, x, gamma, kinetic + m[1] * g * x[1] + quartic + gamma * x[4])
+    }
+    fn directions() -> Vec<Vec<f64>> {
+        with_action(Ellipses::directions())
+    }
+    fn compared<R: Scalar>(x: Vec<R>) -> Vec<R> {
+        beside_action(x, Ellipses::compared)
+    }
+    fn form_defect(directions: &[Vec<f64>], images: &[Vec<f64>], before: &[f64], after: &[f64]) -> f64 {
+        contact_defect_along(directions, images, before, after)
     }
 }

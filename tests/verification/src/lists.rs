@@ -92,6 +92,8 @@ lists! {
         Sheet over 1.5 by 0.1, Ridge over 1.5;
     constrained, "Systems with constraints.":
         Spheres over 1.7 by 0.05, Ellipses over 0.9;
+    constrained_contact, "Contact systems with constraints.":
+        DampedSpheres over 1.7 by 0.05, DampedEllipses over 0.9;
     pieces, "Contact systems in pieces with flows in closed form.":
         Charges over 2.3 by 0.0625, Tangles over 2.3;
     mechanical, "Contact systems T(p) + g(t)s + V(q).":

@@ -1,6 +1,7 @@
 //! Facts about an energy, proven from its graph. A fact that does not hold has a witness. Messages are elsewhere.
 
 mod acting;
+mod action;
 mod damping;
 mod degree;
 mod terms;
@@ -24,8 +25,12 @@ use crate::diff::{self, constraint::Row};
 use crate::ir::{Graph, Id, Node, Reads, Symbol};
 use crate::parse::Shape;
 pub(crate) use acting::Acting;
+pub(crate) use action::{decay_of, with_decay_of_time};
 pub(crate) use bodies::{Bodies, bodies, momenta as momenta_of_body};
-pub(crate) use conserved::{Conserved, Dissipated, decay, dissipated, dissipated_by_velocities, noether, translations};
+pub(crate) use conserved::{
+    Conserved, Dissipated, decay, dissipated, dissipated_by_velocities, dissipated_on_constraints, noether,
+    translations,
+};
 pub(crate) use damping::{Damping, Flaw};
 pub(crate) use degree::Degrees;
 pub(crate) use forces::Forces;

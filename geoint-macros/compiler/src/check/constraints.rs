@@ -1,15 +1,17 @@
 //! Checks the user's constraints. A constraint of positions reads positions and time only, and a constraint of velocities is linear in them. All constraints
 //! must be independent, and leave a degree of freedom unless they move.
 
+use super::blame_written;
 use super::damping::report_damping;
 use crate::analyze::{self, Damping, claims};
 use crate::compilation::Compilation;
 use crate::diagnostics::Result;
+use crate::diff::constraint::Action;
 use crate::diff::constraint::Row;
 use crate::ir::{Id, Symbol};
 use crate::lower::{Place, Terms};
 use crate::messages::NO_CONSTRAINT;
-use crate::parse::Form;
+use crate::parse::{Form, Role};
 
 /// Reports invalid constraints, friction that is not linear, and damping that feeds energy.
 pub(crate) fn constraints(compilation: &mut Compilation<'_>, terms: &Terms, damping: Option<&Damping>) -> Result<()> {
@@ -39,6 +41,22 @@ pub(crate) fn constraints(compilation: &mut Compilation<'_>, terms: &Terms, damp
     compilation.checked(())
 }
 
+/// Returns the friction of an energy with an action. Reports other friction.
+pub(crate) fn friction_of_time(compilation: &mut Compilation<'_>, energy: Id) -> Result<Action> {
+    if let Some(rayleigh) = &compilation.energy.options.rayleigh {
+        compilation.diagnostics.at(rayleigh, FRICTION_BESIDE_ACTION);
+    }
+    let found = analyze::with_decay_of_time(&mut compilation.graph, energy);
+    if let Err(term) = found {
+        let place = compilation.energy.argument(Role::Action).map_or(&compilation.energy.item.sig.ident, |s| &s.name);
+        blame_written(compilation, term, place.span(), FRICTION_OF_TIME);
+    }
+    match found {
+        Ok(action) => compilation.checked(action),
+        Err(_) => Err(std::mem::take(&mut compilation.diagnostics)),
+    }
+}
+
 /// Reports what is wrong with a constraint, if anything is.
 fn report(compilation: &mut Compilation<'_>, constraint: Id, place: Place, why: Option<String>) {
     if let Some(why) = why {
@@ -51,8 +69,9 @@ fn report(compilation: &mut Compilation<'_>, constraint: Id, place: Place, why: 
 fn of_positions(compilation: &Compilation<'_>, constraint: Id) -> Option<String> {
     let reads = compilation.graph.reads(constraint);
     match compilation.energy.form {
-        Form::Lagrangian if reads.v => Some(nonholonomic("velocities")),
+        Form::Lagrangian | Form::Herglotz if reads.v => Some(nonholonomic("velocities")),
         _ if reads.p || reads.v => Some(nonholonomic("momenta")),
+        _ if reads.s => Some("a constraint is a function of positions and time, and this one reads the action".into()),
         _ if !reads.q => Some("this constraint reads no position".into()),
         _ => None,
     }
@@ -117,6 +136,12 @@ fn independent(compilation: &mut Compilation<'_>, terms: &Terms) {
         compilation.diagnostics.at_place(place, message);
     }
 }
+
+const FRICTION_OF_TIME: &str =
+    "beside constraints the action is read by one term, γ(t)·s, and this term has another form";
+
+const FRICTION_BESIDE_ACTION: &str =
+    "beside constraints and an action there is no other friction than γ(t)·s: leave out this, or the argument `s`";
 
 const LINEAR_FRICTION: &str = "beside constraints friction is linear: R a quadratic form of the velocities";
 

@@ -62,6 +62,12 @@ fn explain(compilation: &Compilation<'_>, flaw: &legendre::Flaw) -> String {
             v(i),
             printer.excerpt(*momentum)
         ),
+        legendre::Flaw::Linear(momenta) if compilation.form.has_action() => format!(
+            "this Lagrangian is linear in the velocities, so that its equations are of first order: in coordinates in which half of them are the momenta of the \
+             others, write them as `#[contact_hamiltonian]` of the energy −L at {} = 0; the momenta ∂L/∂v are {}",
+            compilation.names.of(Role::Velocity),
+            commas(momenta.iter().map(|momentum| printer.excerpt(*momentum)))
+        ),
         legendre::Flaw::Linear(momenta) => format!(
             "this Lagrangian is linear in the velocities, so that its equations are of first order: write them as \
              `#[hamiltonian(structure = …)]` of the energy −L at {} = 0; the momenta ∂L/∂v are {}",

@@ -12,7 +12,7 @@ mod proofs;
 pub(crate) mod wording;
 
 pub(crate) use angles::of_energy as angles;
-pub(crate) use constraints::constraints;
+pub(crate) use constraints::{constraints, friction_of_time};
 pub(crate) use entropy::entropy;
 pub(crate) use first_order::first_order;
 pub(crate) use lagrangian::{forced_action, lagrangian, velocities};

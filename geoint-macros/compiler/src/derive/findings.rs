@@ -5,7 +5,7 @@ use super::{Flow, Liouville, Parted, System};
 use crate::analyze::{self, Binding, Damping, Dissipated, Forces, Proof};
 use crate::compilation::Compilation;
 use crate::diff::Gradient;
-use crate::diff::constraint::Row;
+use crate::diff::constraint::{Action, Row};
 use crate::ir::Id;
 use crate::legendre::{FirstOrder, Legendre};
 
@@ -46,6 +46,8 @@ pub(crate) enum Findings {
 
 /// Facts about a system with constraints.
 pub(crate) struct ConstrainedFindings {
+    /// The user's energy.
+    pub(crate) energy: Id,
     pub(crate) structure: analyze::Structure,
     /// The integrals of the system with constraints.
     pub(crate) kept: analyze::Structure,
@@ -53,6 +55,8 @@ pub(crate) struct ConstrainedFindings {
     /// Whether the rows of velocities bind positions.
     pub(crate) bindings: Vec<Binding>,
     pub(crate) gradient: Gradient,
+    /// The friction of an energy with an action, and what decays by it. Structure and gradient are those of the energy without it.
+    pub(crate) action: Option<(Action, Dissipated)>,
 }
 
 /// Loss of energy of a Lagrangian with velocities as unknowns.

@@ -1,5 +1,6 @@
 //! H(q, p, s, t): q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H.
 
+use super::constrained;
 use crate::analyze::{self, Forces};
 use crate::compilation::Compilation;
 use crate::derive::{self, ContactEnergy, Derived, Findings, ForcedContact};
@@ -9,7 +10,10 @@ use crate::lower::Terms;
 use crate::{check, diff, split};
 
 /// Derives a system from its energy, which may be that of a Lagrangian.
-pub(super) fn derived(compilation: &mut Compilation<'_>, terms: &Terms, legendre: Option<Legendre>) -> Result<Derived> {
+pub(super) fn derived(compilation: &mut Compilation<'_>, terms: Terms, legendre: Option<Legendre>) -> Result<Derived> {
+    if compilation.energy.options.is_constrained() {
+        return constrained::derived(compilation, terms, legendre);
+    }
     let (energy, degrees) = (terms.energy, compilation.degrees());
     let (shape, lift) = (&compilation.energy.coordinates.shape, compilation.energy.options.lift.is_some());
     let (graph, groups) = (&mut compilation.graph, terms.groups.as_deref());
@@ -29,7 +33,7 @@ pub(super) fn derived(compilation: &mut Compilation<'_>, terms: &Terms, legendre
     check::of_action(compilation, energy, &mechanics)?;
     check::pieces(compilation, energy, groups, &pieces)?;
     // The positions of a lift q' = X(q) follow X alone.
-    let measure = check::measure(compilation, terms, &gradient.p)?;
+    let measure = check::measure(compilation, &terms, &gradient.p)?;
     let findings = Findings::Contact { energy, gradient, dissipated, measure };
     Ok(Derived { system, legendre, findings }.with_velocities(compilation))
 }
@@ -40,7 +44,7 @@ pub(super) fn forced(compilation: &mut Compilation<'_>, mut terms: Terms, legend
     let damping = analyze::damping(graph, terms.damping.take());
     let forces = Forces::of(graph, terms.force.take(), terms.friction.take());
     if damping.is_none() && forces.is_none() {
-        return derived(compilation, &terms, Some(legendre)); // all forces are zero
+        return derived(compilation, terms, Some(legendre)); // all forces are zero
     }
     check::forced_action(compilation, damping.as_ref())?;
     let energy = terms.energy;

@@ -35,8 +35,10 @@ pub(super) fn derived(compilation: &mut Compilation<'_>, mut terms: Terms) -> Re
     };
     let terms = Terms { energy, partial: legendre.partial.clone(), ..terms };
     match compilation.form {
-        Form::Herglotz if forced => contact::forced(compilation, terms, legendre),
-        Form::Herglotz => contact::derived(compilation, &terms, Some(legendre)),
+        Form::Herglotz if forced && !compilation.energy.options.is_constrained() => {
+            contact::forced(compilation, terms, legendre)
+        }
+        Form::Herglotz => contact::derived(compilation, terms, Some(legendre)),
         _ => canonical::derived(compilation, terms, Some(legendre)),
     }
 }

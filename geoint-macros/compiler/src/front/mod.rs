@@ -20,7 +20,7 @@ use crate::parse::Form;
 pub(crate) fn derived(compilation: &mut Compilation<'_>, terms: Terms) -> Result<Derived> {
     match compilation.form {
         Form::Hamiltonian => canonical::derived(compilation, terms, None),
-        Form::Contact => contact::derived(compilation, &terms, None),
+        Form::Contact => contact::derived(compilation, terms, None),
         Form::Lagrangian | Form::Herglotz | Form::FirstOrder => lagrangian::derived(compilation, terms),
         Form::Bodies => bodies::derived(compilation, &terms),
         Form::Structured => structured::derived(compilation, terms),

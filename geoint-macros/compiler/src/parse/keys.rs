@@ -3,7 +3,7 @@
 use super::flow::{self, StructureForm};
 use super::options::Options;
 use super::values::{self, Coordinates, Requirement, listed};
-use super::{Form, Role};
+use super::{Form, ROLLING_WITH_ACTION, Role};
 use proc_macro2::{Ident, Span};
 use std::rc::Rc;
 use syn::Token;
@@ -104,7 +104,7 @@ const KEYS: [Key; 29] = [
     key("damping", "`damping = coefficients`", &[H], |to, _, input| set(&mut to.damping, input)),
     key("rayleigh", "`rayleigh = R`", &[L], |to, _, input| set(&mut to.rayleigh, input)),
     key("force", "`force = F`", &[H, L], |to, _, input| set(&mut to.force, input)),
-    key("constraint", "`constraint = [g]`", &[H, L], |to, _, input| {
+    key("constraint", "`constraint = [g]`", &[H, C, L], |to, _, input| {
         values::constraint(value(input)?).map(|functions| to.constraint = Some(functions))
     }),
     key("rolling", "`rolling = [A·v + b]`", &[H, L], |to, _, input| {
@@ -155,15 +155,14 @@ const KEYS: [Key; 29] = [
 ];
 
 /// Arguments of other attributes, with the advice for this attribute.
-const ELSEWHERE: [(&str, Form, &str); 7] = [
+const ELSEWHERE: [(&str, Form, &str); 6] = [
     ("damping", Form::Contact, "a contact system is damped by the terms in `s` of its energy, such as `+ gamma * s`"),
     (
         "damping",
         Form::Lagrangian,
         "a Lagrangian is damped by Rayleigh's function of the velocities: `rayleigh = c * v * v / 2.0`",
     ),
-    ("constraint", Form::Contact, NO_ACTION),
-    ("rolling", Form::Contact, NO_ACTION),
+    ("rolling", Form::Contact, ROLLING_WITH_ACTION),
     ("measure", Form::Hamiltonian, MEASURE_OF_ENERGY),
     ("measure", Form::Lagrangian, MEASURE_OF_ENERGY),
     ("structure", Form::Field, "x' = S(x) ∇H follows from an energy: put H under `#[hamiltonian(structure = …)]`"),
@@ -171,7 +170,6 @@ const ELSEWHERE: [(&str, Form, &str); 7] = [
 
 const MEASURE_OF_ENERGY: &str = "a density belongs to a field x' = f(x): write f under `#[vector_field(measure = …)]`, or p·f under \
                                  `#[contact_hamiltonian(lift, measure = …)]`";
-const NO_ACTION: &str = "constraints beside an action are not supported: they are for `#[hamiltonian]`, and for `#[lagrangian]` without `s`";
 
 const fn key(name: &'static str, written: &'static str, attributes: &'static [Option<Form>], read: Reader) -> Key {
     Key { name, written, attributes, read }

@@ -249,8 +249,8 @@ pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Ener
     let coordinates = coordinates(form, &item, &options, &arguments, &mut errors);
     let herglotz = form == Form::Lagrangian && of_role(&arguments, Role::Action).is_some();
     let form = if herglotz { Form::Herglotz } else { form };
-    if let (true, Some(constraint)) = (herglotz, options.constraint.as_ref().or(options.rolling.as_ref())) {
-        errors.at(constraint, "with an action there are no constraints: leave out this, or the argument `s`");
+    if let (true, Some(rolling)) = (herglotz, &options.rolling) {
+        errors.at(rolling, ROLLING_WITH_ACTION);
     }
     if let (Form::Field, Some(x)) = (form, &coordinates) {
         returns_shape_of(x, &item, &options.outside, &float, &mut errors);
@@ -277,6 +277,9 @@ pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Ener
         None => Err(errors),
     }
 }
+
+const ROLLING_WITH_ACTION: &str =
+    "beside an action, constraints are functions of positions and time: leave out this, or the argument `s`";
 
 const MEASURE_WITHOUT_LIFT: &str = "the density of H(q, p, s) is known, |H|^−(n+1), and `REPORT` names it: leave `measure` out; a density of the field q' = X(q) \
                                     stands beside `lift`, with H = p·X(q)";

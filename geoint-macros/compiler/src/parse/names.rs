@@ -6,7 +6,7 @@ use syn::ext::IdentExt;
 
 /// Items of the runtime that generated code imports, in the order of the import.
 const IMPORTED: &str = "\
-    MultiplierStep CanonicalStages ContactEquation ContactFieldStages ContactGaussCollocation \
+    ContactLeapfrog DampedRattle ExplicitLeapfrog PieceComposition SteppedAs MultiplierStep CanonicalStages ContactEquation ContactFieldStages ContactGaussCollocation \
     ContactStep FieldStages GaussCollocation GaussTableau ImplicitMethod Keeping PolarisedStep \
     TreeStep VelocityStages Adaptive Array Autonomous CanonicalForm BodyState Collocation ConformalContact \
     Conservative ConstrainedStep ConstrainedSystem ContactDiscreteGradient ContactMidpoint FlowPiece FlowPieces \

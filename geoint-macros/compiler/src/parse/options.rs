@@ -92,6 +92,7 @@ impl Options {
             (friction, entropy.is_none(), WITHOUT_ENTROPY),
             (damping, entropy.is_some(), DAMPED_ENTROPY),
             (constraint, !canonical || parts.is_some() || force.is_some(), CONSTRAINED),
+            (constraint, self.lift.is_some(), CONSTRAINED_LIFT),
             (attitude, structured, BODY_WITH_STRUCTURE),
             (span(Role::Momentum).or(required).or(parts).or(force), structured, NO_MOMENTA),
             (angular_momentum, canonical, WITHOUT_ATTITUDE),
@@ -122,6 +123,9 @@ const DAMPED_ENTROPY: &str =
 
 const CONSTRAINED: &str = "constraints are for positions and momenta whose energy is not split: leave out this, or `structure`, `attitude`, \
                            `split`, `coordinates` and `force`";
+
+const CONSTRAINED_LIFT: &str =
+    "the positions of a lift follow q' = X(q), and no constraint force acts on them: leave out this, or `lift`";
 
 const NO_MOMENTA: &str = "with `structure` there are no momenta: the state is `x` alone";
 

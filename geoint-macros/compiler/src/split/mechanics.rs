@@ -35,11 +35,7 @@ pub(crate) fn mechanics(graph: &mut Graph, energy: Id, degrees: u32) -> Result<M
             (_, false, false) => &mut potential,
             (false, true, false) => &mut kinetic,
             (false, false, true) => {
-                let s = graph.symbol(Symbol::Action);
-                let g = graph.div(term, s);
-                if graph.reads(g).state() {
-                    return Err(term);
-                }
+                let g = analyze::decay_of(graph, term).ok_or(term)?;
                 damping = graph.add(damping, g);
                 continue;
             }

@@ -29,7 +29,9 @@
 //! # Ok::<(), StepError>(())
 //! ```
 
+mod damped;
 mod rattle;
 pub(crate) mod step;
 
+pub use damped::DampedRattle;
 pub use rattle::Rattle;

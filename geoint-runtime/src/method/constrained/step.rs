@@ -1,4 +1,4 @@
-//! The step of a system with constraints, for [`Rattle`](super::Rattle) and [`DiscreteGradient`](crate::DiscreteGradient). The attribute macros
+//! The step of a system with constraints, for [`Rattle`](super::Rattle), [`DiscreteGradient`](crate::DiscreteGradient), and their forms beside an action. The attribute macros
 //! emit its equation as [`ConstrainedStep`]. This file connects the equation with the driver, and checks the constraints.
 //!
 //! The unknowns are multipliers μ = −½h²λ, and increments of positions and momenta if the method needs them. Both methods define their step by λ. μ moves the
@@ -8,6 +8,7 @@
 //! Constraints depend on each other if the rows of G do. A step is refused if det(G W G₁ᵀ) ≤ 0, where G₁ is G at a later position. This is a test, and no
 //! proof: two changes of the sign within a step cancel. A step is also refused if its end is not on the constraints.
 
+use crate::method::contact::ContactDiscreteGradient;
 use crate::method::discrete_gradient::DiscreteGradient;
 use crate::method::implicit::{
     Arrival, Departure, Equation, Evaluated, ImplicitStep, Increment, Policy, Sums, Units, Watch,
@@ -17,7 +18,7 @@ use crate::scalar::Real;
 use crate::solving::equation::Solution;
 use crate::solving::newton::Newton;
 use crate::space::vector::{difference, moved, sum};
-use crate::space::{Array, Square};
+use crate::space::{Array, PerCoordinate, Square};
 use crate::system::{At, ConstrainedStep, held, on_one_side, tangent};
 
 /// The step of the method `M`, whose equation is [`ConstrainedStep`].
@@ -29,7 +30,7 @@ pub struct MultiplierStep<M>(
 
 /// A method for systems with constraints.
 pub(crate) trait ConstrainedMethod: Copy + core::fmt::Debug {
-    /// True if steps keep the energy.
+    /// True if steps keep the energy, or its law of decay.
     const KEEPS_ENERGY: bool;
 }
 
@@ -39,6 +40,11 @@ pub(crate) trait ConstrainedMethod: Copy + core::fmt::Debug {
 /// If T is quadratic in p, Pᵢ = pᵢ + Nᵀν with tangent pᵢ, the same ν at both ends, and rows of N along those of G(qᵢ) that are orthonormal in W. H(qᵢ, Pᵢ) is
 /// then H(qᵢ, pᵢ) + |ν|²/2, so the energy is kept. For other T, Pᵢ = pᵢ.
 impl ConstrainedMethod for DiscreteGradient {
+    const KEEPS_ENERGY: bool = true;
+}
+
+/// The same step with the mean friction −hγ(P₀ + P₁)/2, and s₁ − s₀ = (P₀ + P₁)/2·(q₁ − q₀) − h H(x₀) φ₁(−hγ). H decays by e^(−hγ), and P₁ = p₁ + e^(−hγ/2) Nᵀν.
+impl ConstrainedMethod for ContactDiscreteGradient {
     const KEEPS_ENERGY: bool = true;
 }
 
@@ -99,7 +105,7 @@ impl<S: ConstrainedStep<M, R>, M: ConstrainedMethod, R: Real> ImplicitStep<S, R>
 
     #[inline(always)]
     fn begin(from: &Departure<'_, S, R>, coefficients: &S::Constants, (): &mut ()) -> Result<S::Start, Failure> {
-        Ok(from.system.begin(coefficients, from.middle(), from.t, from.end, &from.z))
+        Ok(from.system.begin(coefficients, from.middle(), from.t, from.end, &from.z, &from.s))
     }
 
     #[inline(always)]
@@ -119,8 +125,8 @@ impl<S: ConstrainedStep<M, R>, M: ConstrainedMethod, R: Real> ImplicitStep<S, R>
         x: &S::Unknown,
         matrix: &mut Square<S::Unknown>,
     ) -> S::Unknown {
-        // The time of the point only serves the message of a refusal.
-        watch.visit(from.end, &sum(&from.z, &from.system.end(coefficients, start, x)), &());
+        // The time of the point only serves the message of a refusal. H is defined for every s.
+        watch.visit(from.end, &sum(&from.z, &from.system.end(coefficients, start, x).z), &from.s);
         let mut residual = S::Unknown::zero();
         from.system.residual(coefficients, start, x, &mut residual, matrix);
         residual
@@ -131,8 +137,8 @@ impl<S: ConstrainedStep<M, R>, M: ConstrainedMethod, R: Real> ImplicitStep<S, R>
         Equation { from, coefficients, start }: &Equation<'_, Self, S, R>,
         solution: &Solution<S::Unknown>,
         (): &(),
-    ) -> Result<Increment<S::Phase, ()>, Failure> {
-        let mut increments = from.system.end(coefficients, start, &solution.x);
+    ) -> Result<Increment<S::Phase, S::Action>, Failure> {
+        let PerCoordinate { z: mut increments, s } = from.system.end(coefficients, start, &solution.x);
         let [q, p] = sum(&from.z, &increments);
         match momenta::<S, M, R>() {
             Momenta::Projected => {
@@ -145,7 +151,7 @@ impl<S: ConstrainedStep<M, R>, M: ConstrainedMethod, R: Real> ImplicitStep<S, R>
                 independent(from, At { t: from.middle(), q: &middle })?;
             }
         }
-        Ok(Increment::of(increments, ()))
+        Ok(Increment::of(increments, s))
     }
 
     /// Checks g = 0 at the rounded end. The tolerance includes the rounding at the start, because the end is the rounded sum of the start and an increment.

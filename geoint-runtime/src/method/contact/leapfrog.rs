@@ -1,7 +1,8 @@
 //! The variational integrator of Herglotz' principle, for H = T(p, t) + g(t)·s + V(q, t).
 
 use crate::method::composition::substeps;
-use crate::method::{Claims, Failure, Method, Name, Probe, Step};
+use crate::method::flows::delegate;
+use crate::method::{Claims, Clock, Failure, Method, Name, Probe, Step, SteppedAs};
 use crate::scalar::Real;
 use crate::space::{Array, PerCoordinate, Point, Summation};
 use crate::system::Mechanical;
@@ -15,12 +16,30 @@ use crate::system::Mechanical;
 /// A step damps by the quotient (1 − h g₀/2)/(1 + h g₁/2). A step is refused if numerator or denominator is not positive, for instance if h g₀ ≥ 2.
 /// [`ContactSplitting`] damps by exponentials, such as e^(−hg) for a constant g, and has no such limit.
 ///
+/// Beside constraints the step is [`DampedRattle`](crate::method::constrained::DampedRattle), and multipliers keep q₁ and p₁ on them.
+///
 /// M. Vermeeren, A. Bravetti & M. Seri, J. Phys. A 52 (2019) 445206. Here g, T and V may depend on time.
 ///
 /// [`ContactSplitting`]: crate::ContactSplitting
 #[doc(alias = "contact variational integrator")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ContactLeapfrog;
+
+delegate!([] ContactLeapfrog, [SteppedAs<ContactLeapfrog, R>], Steps<S, R>, |this| Steps::<S, R>::from(*this));
+substeps!([] ContactLeapfrog; [] ExplicitLeapfrog);
+
+/// The steps of [`ContactLeapfrog`] for a system.
+type Steps<S, R> = <S as SteppedAs<ContactLeapfrog, R>>::Steps;
+
+/// The steps of [`ContactLeapfrog`] without constraints.
+#[derive(Clone, Copy, Debug)]
+pub struct ExplicitLeapfrog;
+
+impl From<ContactLeapfrog> for ExplicitLeapfrog {
+    fn from(_: ContactLeapfrog) -> Self {
+        ExplicitLeapfrog
+    }
+}
 
 /// Coefficients of a step.
 #[derive(Clone)]
@@ -30,7 +49,7 @@ pub struct Prepared<S: Mechanical<R>, R: Real> {
     drift: S::FreeDrift,
 }
 
-impl<S: Mechanical<R>, R: Real> Method<S, R> for ContactLeapfrog {
+impl<S: Mechanical<R>, R: Real> Method<S, R> for ExplicitLeapfrog {
     type Proof = <S as Mechanical<R>>::Proof;
     type Prepared = Prepared<S, R>;
     type Memory = ();
@@ -119,5 +138,3 @@ fn add_scaled<A: Array>(w: A::Real, x: &PerCoordinate<[A; 2], A::Real>, d: &mut 
     d.z[1].add_scaled(w, &x.z[1]);
     d.s += w * x.s;
 }
-
-substeps!([] ContactLeapfrog);

@@ -37,5 +37,5 @@ mod midpoint;
 pub use discrete_gradient::ContactDiscreteGradient;
 pub use gauss::ContactGauss;
 pub(crate) use gauss::SolvedByContactGauss;
-pub use leapfrog::ContactLeapfrog;
+pub use leapfrog::{ContactLeapfrog, ExplicitLeapfrog};
 pub use midpoint::ContactMidpoint;

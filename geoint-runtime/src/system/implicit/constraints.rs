@@ -1,4 +1,5 @@
-//! Systems whose velocities satisfy A v + b = 0: q' = ∂H/∂p, p' = −∂H/∂q + Aᵀμ, where A and b are functions of positions and time.
+//! Systems whose velocities satisfy A v + b = 0: q' = ∂H/∂p, p' = −∂H/∂q + Aᵀμ, where A and b are functions of positions and time. With an action,
+//! H = H₀(q, p, t) + γ(t)·s and p' = −∂H₀/∂q − γp + Aᵀμ. The checks of this file do not read s.
 //!
 //! Some rows are rates of constraints g(q, t) = 0, with A = ∂g/∂q and b = ∂g/∂t. μ are the multipliers. A state obeys a row if its velocity does, and g = 0 if
 //! there is a g. This file checks states and steps, and projects states onto the constraints. The rows of A must not depend on each other. W = ∂²H/∂p², the
@@ -9,8 +10,8 @@ use crate::solving::rounding::{Convergence, Correction, Corrections, ROUNDINGS, 
 use crate::solving::size::Sizes;
 use crate::solving::{Failure, linear};
 use crate::space::vector::{difference, dot, scaled, times};
-use crate::space::{Array, Square, State};
-use crate::system::{Cotangent, PhaseSpace};
+use crate::space::{Array, PerCoordinate, Square};
+use crate::system::Cotangent;
 
 /// A system with constraints on its velocities, some of which may be rates of constraints g(q, t) = 0 of positions.
 #[diagnostic::on_unimplemented(
@@ -18,9 +19,7 @@ use crate::system::{Cotangent, PhaseSpace};
     label = "this is for systems with `constraint = [g]` or `rolling = [A·v + b]`"
 )]
 #[doc(alias("DAE", "holonomic constraint", "nonholonomic constraint"))]
-pub trait Constrained<R: Real = f64>:
-    Cotangent<R> + PhaseSpace<R, Action = (), State = State<<Self as Cotangent<R>>::Coordinates>>
-{
+pub trait Constrained<R: Real = f64>: Cotangent<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// One number for each constraint.
@@ -57,6 +56,7 @@ pub type Gradients<S, R> = <<S as Constrained<R>>::Multipliers as Array>::Map<<S
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no constraints of positions alone",
     label = "`{M}` is for systems with `constraint = [g]`",
+    note = "methods beside an action: `ContactSplitting`, `ContactLeapfrog`, `ContactDiscreteGradient`",
     note = "methods that keep `rolling`: `DiscreteGradient`, `RK4`, `DOP853`",
     note = "without constraints `Rattle` is `StormerVerlet`, if the energy is T(p) + V(q)"
 )]
@@ -72,8 +72,16 @@ pub trait ConstrainedStep<M, R: Real = f64>: Constrained<R> {
 
     /// Computes the coefficients that depend on parameters and h.
     fn constants(&self, h: R) -> Self::Constants;
-    /// Computes the coefficients that all evaluations of a step from z have in common. The times are those of its middle, its start and its end.
-    fn begin(&self, constants: &Self::Constants, middle: R, start: R, end: R, z: &Self::Phase) -> Self::Start;
+    /// Computes the coefficients that all evaluations of a step from z have in common, with the action s. The times are those of its middle, its start and its end.
+    fn begin(
+        &self,
+        constants: &Self::Constants,
+        middle: R,
+        start: R,
+        end: R,
+        z: &Self::Phase,
+        s: &Self::Action,
+    ) -> Self::Start;
     /// Computes the residual and its derivative. Row i has the unit of unknown i.
     fn residual(
         &self,
@@ -83,8 +91,13 @@ pub trait ConstrainedStep<M, R: Real = f64>: Constrained<R> {
         residual: &mut Self::Unknown,
         matrix: &mut Square<Self::Unknown>,
     );
-    /// Returns the increments of positions and momenta that belong to the unknowns `x`.
-    fn end(&self, constants: &Self::Constants, start: &Self::Start, x: &Self::Unknown) -> Self::Phase;
+    /// Returns the increments of positions, momenta and the action that belong to the unknowns `x`.
+    fn end(
+        &self,
+        constants: &Self::Constants,
+        start: &Self::Start,
+        x: &Self::Unknown,
+    ) -> PerCoordinate<Self::Phase, Self::Action>;
     /// Returns for each unknown the magnitude to which its rounding is relative. Multipliers have the rounding of positions.
     fn origin(&self, constants: &Self::Constants, start: &Self::Start) -> Self::Unknown;
 }

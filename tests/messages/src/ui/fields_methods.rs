@@ -76,6 +76,19 @@ mod planes_of_a_field {
     }
 }
 
+mod planes_in_a_table_of_pieces {
+    use geoint_runtime::{methods::*, prelude::*};
+
+    #[hamiltonian(structure = |_, _| 1.0)]
+    fn quartic(x: [f64; 3], k: f64) -> f64 {
+        x.iter().map(|x| k * x.powi(4)).sum()
+    }
+
+    fn uses() {
+        let _ = Quartic { k: 1.3 }.integrator(BlanesMoan4X.of(PlanarDiscreteGradient), 0.01, FlowState::new([1.0; 3]));
+    }
+}
+
 mod planes_solved_for {
     use geoint_runtime::{methods::*, prelude::*};
 

@@ -4,7 +4,7 @@
 use super::momenta::{self, Conserved};
 use crate::analyze::degree::Degrees;
 use crate::analyze::separable::is_momentum;
-use crate::analyze::{degree_in, identity, terms};
+use crate::analyze::{Structure, degree_in, identity, terms};
 use crate::diff;
 use crate::ir::substitute::at_zero;
 use crate::ir::{Graph, Id, Symbol};
@@ -33,6 +33,14 @@ pub(crate) fn dissipated(graph: &mut Graph, energy: Id, coordinates: &Shape) -> 
     let mut momenta = momenta::momenta(graph, &degrees, energy, coordinates);
     momenta.retain(|momentum| is_homogeneous(graph, momentum.value));
     with_cyclic(graph, energy, coordinates, momenta)
+}
+
+/// Finds the dissipated functions of an energy H₀ + γ(t)·s with constraints. `kept` are the integrals of H₀ with the constraints. `steady` is true if nothing
+/// reads time.
+pub(crate) fn dissipated_on_constraints(graph: &mut Graph, kept: &mut Structure, steady: bool) -> Dissipated {
+    let mut momenta = std::mem::take(&mut kept.momenta);
+    momenta.retain(|momentum| is_homogeneous(graph, momentum.value));
+    Dissipated { cyclic: std::mem::take(&mut kept.cyclic), momenta, energy: steady }
 }
 
 /// Builds the rate of decay −∂L/∂s.

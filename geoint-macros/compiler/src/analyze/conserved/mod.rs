@@ -6,7 +6,7 @@ mod momenta;
 mod noether;
 mod weights;
 
-pub(crate) use dissipated::{Dissipated, decay, dissipated, dissipated_by_velocities};
+pub(crate) use dissipated::{Dissipated, decay, dissipated, dissipated_by_velocities, dissipated_on_constraints};
 pub(crate) use momenta::Conserved;
 pub(super) use momenta::momenta;
 pub(crate) use noether::{noether, translations};

@@ -7,13 +7,14 @@ use crate::diff::forward::along;
 use crate::ir::{Graph, Id, Symbol};
 
 impl Constrained<'_> {
-    /// Solves (A W Aᵀ) μ = −(A v + b)' for all rows. The rate on the right is that of the motion without multipliers, q' = v and p' = f.
+    /// Solves (A W Aᵀ) μ = −(A v + b)' for all rows. The rate on the right is that of the motion without multipliers.
     pub(crate) fn multipliers(&self, graph: &mut Graph) -> Vec<Id> {
         let rates = self.rates(graph);
+        let force = self.free_force(graph);
         let one = graph.integer(1);
         let changes = along(graph, &rates, |symbol| match symbol {
             Symbol::Position(i) => Some(self.velocity[i as usize]),
-            Symbol::Momentum(i) => Some(self.force[i as usize]),
+            Symbol::Momentum(i) => Some(force[i as usize]),
             Symbol::Time => Some(one),
             _ => None,
         });
@@ -25,7 +26,20 @@ impl Constrained<'_> {
     /// p' with these multipliers.
     pub(crate) fn bound_force(&self, graph: &mut Graph, multipliers: &[Id]) -> Vec<Id> {
         let pull = combination(graph, &self.gradients(), multipliers);
-        sums(graph, self.force, &pull)
+        let force = self.free_force(graph);
+        sums(graph, &force, &pull)
+    }
+
+    /// p' without multipliers: f, or f − γp beside an action.
+    fn free_force(&self, graph: &mut Graph) -> Vec<Id> {
+        let mut force = self.force.to_vec();
+        if let Some(action) = self.action {
+            for (i, force) in (0..).zip(&mut force) {
+                let p = graph.symbol(Symbol::Momentum(i));
+                *force = graph.build(*force - action.decay * p);
+            }
+        }
+        force
     }
 
     /// The multipliers as users see them: λ of p' = f − Gᵀλ + Aᵀμ for constraints of positions.

@@ -3,6 +3,7 @@
 //! A multiplier μ adds Aᵀμ/h to the momenta, and W Aᵀμ to the positions if W = ∂²H/∂p² is constant. Its row is divided by the diagonal entry of A W Aᵀ. The
 //! row then has the unit of its multiplier, and the determinant of the iteration is positive near h = 0.
 
+mod action;
 mod elimination;
 mod eliminated;
 mod rows;
@@ -14,6 +15,7 @@ use super::equations::times;
 use super::forward::jacobian;
 use crate::ir::formula::{call, pow, squared};
 use crate::ir::{Function, Graph, Id, Ratio, Symbol};
+pub(crate) use action::{Action, Damping};
 pub(crate) use rows::Row;
 use std::collections::BTreeSet;
 pub(crate) use steps::{Momenta, discrete_gradient_step, rattle};
@@ -32,14 +34,19 @@ pub(crate) struct Constrained<'a> {
     /// q' between two points. Absent if H = T(p) + V(q), the mass matrix is constant, and nothing is damped: momenta then
     /// determine positions.
     pub(crate) mean_velocity: Option<&'a [Id]>,
+    /// The friction of an energy with an action. The rates above are those of the energy without it.
+    pub(crate) action: Option<Action>,
 }
 
 /// The equation of a step, residual = 0.
+#[derive(Clone, Debug)]
 pub(crate) struct Equation {
     pub(crate) unknowns: Vec<Symbol>,
     pub(crate) residual: Vec<Id>,
     /// The increments of positions and momenta at a solution.
     pub(crate) end: Vec<Id>,
+    /// The increment of the action, if there is one.
+    pub(crate) action: Option<Id>,
     /// For every unknown a number of the size whose rounding error the unknown has.
     pub(crate) origin: Vec<Id>,
 }
@@ -56,7 +63,7 @@ impl<'a> Constrained<'a> {
     ) -> Constrained<'a> {
         let momenta: Vec<Symbol> = (0..velocity.len() as u32).map(Symbol::Momentum).collect();
         let inverse_mass = jacobian(graph, velocity, &momenta);
-        Constrained { rows, velocity, inverse_mass, force, mean_force, mean_velocity }
+        Constrained { rows, velocity, inverse_mass, force, mean_force, mean_velocity, action: None }
     }
 
     fn degrees(&self) -> usize {

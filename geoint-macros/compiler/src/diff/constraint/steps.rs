@@ -8,6 +8,7 @@
 //!
 //! If H = T(p) + V(q) with a constant mass matrix, momenta determine positions: the unknowns are fewer then, and `mean_velocity` is absent.
 
+use super::action::GradientStep;
 use super::tangent::Normal;
 use super::vectors::{differences, ends, increments, moved, multipliers, pulls, scaled, shifts, sums};
 use super::{Constrained, Equation};
@@ -34,10 +35,13 @@ pub(crate) fn rattle(graph: &mut Graph, system: &Constrained<'_>) -> Equation {
         let end = ends(graph, Symbol::Position, &shift);
         let force = moved(graph, system.force, &end, None, last_time);
         let last = scaled(graph, half, &force);
+        let middle = ends(graph, Symbol::Momentum, &increments);
+        let action = system.action.map(|action| action.of_rattle(graph, &middle, &shift));
         let unknowns = multipliers(system.rows.len());
         return Equation {
             residual: conditions(graph, system, &shift),
             end: [shift, sums(graph, &increments, &last)].concat(),
+            action,
             origin: system.rounding_of_multipliers(graph),
             unknowns,
         };
@@ -56,10 +60,12 @@ pub(crate) fn rattle(graph: &mut Graph, system: &Constrained<'_>) -> Equation {
     residual.extend(differences(graph, &dp, &impulse));
     residual.extend(conditions(graph, system, &dq));
     let last = scaled(graph, half, &last_force);
+    let action = system.action.map(|action| action.of_rattle(graph, &middle, &dq));
     let increments = increments_of_both(n);
     Equation {
         residual,
         end: [dq, sums(graph, &dp, &last)].concat(),
+        action,
         origin: origin(graph, system, &increments, Number::ONE),
         unknowns: [increments, multipliers(system.rows.len())].concat(),
     }
@@ -86,17 +92,20 @@ pub(crate) fn discrete_gradient_step(graph: &mut Graph, system: &Constrained<'_>
         Momenta::Carried => None,
         Momenta::Tangent => Some(Normal::of(graph, system, &slopes, [&dq, &dp])),
     };
-    let mut between = |nodes: &[Id]| match &normal {
+    let between = |graph: &mut Graph, nodes: &[Id]| match &normal {
         Some(normal) => normal.added_to(graph, nodes),
         None => nodes.to_vec(),
     };
-    let force = between(system.mean_force);
-    let velocity = system.mean_velocity.map(&mut between);
+    let force = between(graph, system.mean_force);
+    let velocity = system.mean_velocity.map(|velocity| between(graph, velocity));
     let pull = pulls(graph, &slopes, two);
     let impulse = scaled(graph, h, &force);
     let mut impulse = sums(graph, &impulse, &pull);
     if let Some(normal) = &normal {
         impulse = sums(graph, &impulse, &normal.impulse);
+    }
+    if let Some(action) = system.action {
+        impulse = action.damped(graph, &impulse);
     }
     let conditions = conditions(graph, system, &dq);
     let (increments, mut residual, [shift, gained]) = match velocity {
@@ -112,13 +121,30 @@ pub(crate) fn discrete_gradient_step(graph: &mut Graph, system: &Constrained<'_>
         }
     };
     residual.extend(conditions);
-    let gained = match normal {
+    let action = system.action.map(|action| {
+        let energy = between(graph, &[action.energy])[0];
+        // The impulse of the constraints is P₁ − P₀ less those of H and of the friction.
+        let mut bound = pull;
+        if let Some(normal) = &normal {
+            let sum = sums(graph, &bound, &normal.impulse);
+            bound = normal.between(graph, &sum);
+        }
+        let work = match system.rows.iter().all(|row| graph.is_zero(row.drift)) {
+            true => graph.zero(),
+            false => {
+                let work = graph.dot(&bound, &shift);
+                graph.div(work, h)
+            }
+        };
+        action.of_gradient(graph, &GradientStep { dq: &shift, sum: &gained, energy, work })
+    });
+    let gained = match &normal {
         Some(normal) => normal.taken_from(graph, &gained),
         None => gained,
     };
     let origin = origin(graph, system, &increments, two);
     let unknowns = [increments, multipliers(system.rows.len())].concat();
-    Equation { residual, end: [shift, gained].concat(), origin, unknowns }
+    Equation { residual, end: [shift, gained].concat(), action, origin, unknowns }
 }
 
 /// The conditions of all rows in the units of their multipliers.

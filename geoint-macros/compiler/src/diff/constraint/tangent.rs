@@ -8,8 +8,10 @@
 //! The rows of N are orthonormal in W, up to signs where inertia is negative. Tangent momenta have no part along them, so H(qᵢ, Pᵢ) = H(qᵢ, pᵢ) + |ν|²/2 at both ends. The energy is therefore kept,
 //! although each pᵢ is tangent. The step is symmetric and of order 2, and ν = O(h²).
 //!
+//! Beside an action, H decays by e^(−hγ), and so must |ν|²: P₁ = p₁ + κN₁ᵀν with κ = e^(−hγ/2). Otherwise κ = 1.
+//!
 //! The unknowns are those of the plain step, with the sum s = P₁ + P₀ − 2p₀ in place of p₁ − p₀. They determine ν = C₀ᵀw: the rate at the end is that of the
-//! momenta p₀ + s less N₀ᵀν and N₁ᵀν, so (A₁W₁A₀ᵀ + C₁C₀ᵀ) w = A₁v(q₁, p₀ + s) + b₁. With Āᵀλ = 2 Āᵀ(μ/h − w), s = h f̄ + 2 Āᵀμ/h + 2 (A₀ − Ā)ᵀw. This is
+//! momenta p₀ + s less N₀ᵀν and κN₁ᵀν, so (A₁W₁A₀ᵀ + κC₁C₀ᵀ) w = A₁v(q₁, p₀ + s) + b₁. With Āᵀλ = 2 Āᵀ(μ/h − w), s = h f̄ + 2 Āᵀμ/h + 2 (A₀ − Ā)ᵀw. This is
 //! the impulse of the plain step and a small term.
 
 use super::Constrained;
@@ -23,7 +25,7 @@ use crate::ir::{Graph, Id, Number, Symbol};
 pub(super) struct Normal {
     /// N₀ᵀν.
     at_start: Vec<Id>,
-    /// N₁ᵀν.
+    /// κN₁ᵀν.
     at_end: Vec<Id>,
     /// 2 (A₀ − Ā)ᵀw.
     pub(super) impulse: Vec<Id>,
@@ -39,10 +41,15 @@ impl Normal {
         let last = Rows::at(graph, system, &end, end_time);
         let velocity = end_velocity(graph, system, [dq, s]);
         let rates = last.rates(graph, &velocity);
-        let roots = last.factors.ratios(graph, &first.factors); // √(D₀/D₁)
+        // κ√(D₀/D₁).
+        let mut roots = last.factors.ratios(graph, &first.factors);
+        if let Some(action) = system.action {
+            let factor = action.factor_of_normal(graph);
+            roots = scaled(graph, factor, &roots);
+        }
         let coupling = last.coupling(graph, &first, &roots);
         let w = solve(graph, coupling, rates);
-        // N₁ᵀν = A₁ᵀ C₁⁻ᵀ C₀ᵀw.
+        // κN₁ᵀν = A₁ᵀ κC₁⁻ᵀ C₀ᵀw.
         let along = first.factors.transposed_times(graph, &w);
         let along: Vec<Id> = along.iter().zip(&roots).map(|(x, root)| graph.mul(*x, *root)).collect();
         let of_end = last.factors.solve_transposed(graph, &along);
@@ -69,6 +76,12 @@ impl Normal {
             }
         });
         nodes.iter().map(|node| moved.apply(graph, *node)).collect()
+    }
+
+    /// P₁ − P₀ from s.
+    pub(super) fn between(&self, graph: &mut Graph, s: &[Id]) -> Vec<Id> {
+        let both = sums(graph, &self.at_start, &self.at_start);
+        differences(graph, s, &both)
     }
 
     /// p₁ − p₀ from s.
@@ -120,7 +133,7 @@ impl Rows {
         sums(graph, &along, &self.drifts)
     }
 
-    /// A₁W₁A₀ᵀ + C₁C₀ᵀ of the last rows. `roots` are √(D₀/D₁).
+    /// A₁W₁A₀ᵀ + κC₁C₀ᵀ of the last rows. `roots` are κ√(D₀/D₁).
     fn coupling(&self, graph: &mut Graph, first: &Rows, roots: &[Id]) -> Vec<Vec<Id>> {
         let mut coupling = self.factors.product(graph, roots, &first.factors);
         for (entries, row) in coupling.iter_mut().zip(&self.gradients) {

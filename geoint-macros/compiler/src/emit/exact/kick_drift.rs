@@ -1,7 +1,7 @@
 //! Flows of separable energies: kicks, drifts, kicks with force gradients, and kick and drift of contact systems without damping.
 
 use super::kind::{Kind, Time};
-use super::{FlowTokens, assign, flow, slots};
+use super::{FlowTokens, assign, flow, slots, stepped_as};
 use crate::derive::{GradientKick, KickDrift, Missing, Undamped};
 use crate::emit::context::Context;
 use crate::emit::implementation::{Implementation, absent};
@@ -62,7 +62,10 @@ pub(in crate::emit) fn splitting(context: &Context<'_>, found: &Result<KickDrift
     match found {
         Ok(flows) => separable(context, flows),
         Err(missing) if context.form.has_action() => {
-            absent(context, *missing, &[&SEPARABLE, &QUADRATIC_KINETIC, &FORCE_GRADIENT, &MECHANICAL_CONTACT])
+            let stepped = stepped_as(context, "ContactLeapfrog", &quote!(ExplicitLeapfrog), Some(*missing));
+            let absent =
+                absent(context, *missing, &[&SEPARABLE, &QUADRATIC_KINETIC, &FORCE_GRADIENT, &MECHANICAL_CONTACT]);
+            quote!(#absent #stepped)
         }
         Err(missing) => absent(context, *missing, &[&SEPARABLE, &QUADRATIC_KINETIC, &FORCE_GRADIENT]),
     }
@@ -119,7 +122,7 @@ pub(super) fn moves<'a>(implementation: Implementation<'a>, name: &str, flow: &F
     }
 }
 
-/// Returns `impl MechanicalContact`. A kick or drift that the damping does not change is the kick or drift of `Separable`.
+/// Returns `impl MechanicalContact` and the steps of `ContactLeapfrog`. A kick or drift that the damping does not change is the kick or drift of `Separable`.
 fn mechanical(context: &Context<'_>, undamped: &Undamped) -> TokenStream {
     let damping = context.returned(&undamped.damping);
     let own = [&undamped.kick, &undamped.drift].map(|own| own.as_ref().map(|own| flow(context, own)));
@@ -142,7 +145,9 @@ fn mechanical(context: &Context<'_>, undamped: &Undamped) -> TokenStream {
             .method(&format!("prepare_free_{name}"), prepare)
             .method(&format!("free_{name}"), flow);
     }
-    implementation.method("damping", damping).finish()
+    let implementation = implementation.method("damping", damping).finish();
+    let stepped = stepped_as(context, "ContactLeapfrog", &quote!(ExplicitLeapfrog), None);
+    quote!(#implementation #stepped)
 }
 
 /// Returns `impl QuadraticKinetic` and `impl ForceGradient`, from the type of the numbers for a kick, their computation, and the kick.

@@ -5,6 +5,7 @@ mod kick_drift;
 mod kind;
 mod perturbed;
 mod pieces;
+mod stepped_as;
 
 use super::context::Context;
 use crate::derive::FlowKernel;
@@ -14,6 +15,7 @@ pub(super) use perturbed::perturbed;
 pub(super) use pieces::pieces;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
+pub(super) use stepped_as::stepped_as;
 
 /// Returns the count of the prepared numbers of a flow.
 fn slots(flow: &FlowKernel) -> Literal {

@@ -1,6 +1,6 @@
 //! Flows of the pieces of an energy or a field. If a term is in no piece, no scalar satisfies the implementation, and the message names the term.
 
-use super::{assign, increments};
+use super::{assign, increments, stepped_as};
 use crate::derive::{PieceKernel, PiecesOf};
 use crate::emit::context::{Context, Values};
 use crate::emit::implementation::{Implementation, Leading, absent_with, flag};
@@ -29,14 +29,19 @@ const FLOW_PIECES: Trait = Trait {
 pub(in crate::emit) fn pieces(context: &Context<'_>, found: &PiecesOf) -> TokenStream {
     let name = format_ident!("{}", found.splitting);
     let leading = |items: TokenStream| Leading { parameters: quote!(#name,), items };
-    match &found.pieces {
+    let stepped = context.form.has_action().then(|| {
+        let steps = quote!(PieceComposition<1, #name>);
+        stepped_as(context, found.splitting, &steps, found.pieces.as_ref().err().copied())
+    });
+    let flows = match &found.pieces {
         Ok(pieces) => {
             let constants = [flag("SYMPLECTIC", found.symplectic), flag("CONSERVES_ENERGY", found.conserves_energy)];
             let table = table(context, pieces);
             flows(context, pieces, leading(quote!(#table #(#constants)*)))
         }
         Err(missing) => absent_with(context, *missing, &[&FLOW_PIECES], &leading(table(context, &[]))),
-    }
+    };
+    quote!(#flows #stepped)
 }
 
 /// Returns the constant that lists the pieces.

@@ -4,7 +4,9 @@ use super::methods;
 use super::prepared::Prepared;
 use crate::derive::{ConstraintKernels, StepKernel};
 use crate::emit::context::{Context, array_type};
+use crate::emit::exact;
 use crate::emit::implementation::{flag, proven};
+use crate::emit::structure::state;
 use crate::emit::system::cotangent;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -56,7 +58,16 @@ pub(super) fn constraints(context: &Context<'_>, kernels: &ConstraintKernels) ->
     };
     let cotangent = cotangent(context);
     let constrained = proven(context, quote!(ConstrainedSystem<R>), items);
-    let solved = methods::solved_by(context, "DiscreteGradient", "MultiplierStep");
+    let solved = match context.form.has_action() {
+        true => {
+            let solved = methods::solved_by(context, "ContactDiscreteGradient", "MultiplierStep");
+            let splitting =
+                exact::stepped_as(context, "ContactSplitting", &quote!(DampedRattle<ContactSplitting>), None);
+            let leapfrog = exact::stepped_as(context, "ContactLeapfrog", &quote!(DampedRattle<ContactLeapfrog>), None);
+            quote!(#solved #splitting #leapfrog)
+        }
+        false => methods::solved_by(context, "DiscreteGradient", "MultiplierStep"),
+    };
     let steps = steps.iter().map(|(method, kernel)| step(context, method, kernel));
     let inherent = inherent(context, rows.len());
     quote!(#cotangent #constrained #solved #(#steps)* #inherent)
@@ -67,9 +78,15 @@ fn step(context: &Context<'_>, method: &str, step: &StepKernel) -> TokenStream {
     let StepKernel { unknowns, kernel } = step;
     let method = format_ident!("{method}");
     let (phase, parts, unknown) = (context.phase_type(), context.parts(), array_type(&unknowns.extents));
+    let increments = context.per_coordinate_type();
+    // The argument of the action, and the variable of its increment with its value as the result.
+    let (given, increment, result) = match context.form.has_action() {
+        true => (quote!(s: &R), quote!(let mut ds = R::from_f64(0.0); let action = &mut ds;), quote!(ds)),
+        false => (quote!(_: &()), quote!(), quote!(())),
+    };
     let names = [["Constants", "constants"], ["Start", "begin"]];
     let Prepared { types, functions, prepared, started } =
-        Prepared::for_steps(context, kernel, names, &parts, &quote!(t: R, start: R, end: R, z: &#phase));
+        Prepared::for_steps(context, kernel, names, &parts, &quote!(t: R, start: R, end: R, z: &#phase, #given));
     let [residual, end, origin] = ["residual", "end", "origin"].map(|name| context.assigned(kernel.routine(name)));
     let items = quote! {
         type Unknown = #unknown;
@@ -88,10 +105,11 @@ fn step(context: &Context<'_>, method: &str, step: &StepKernel) -> TokenStream {
             #residual
         }
         #[inline(always)]
-        fn end(&self, prepared: &#prepared, start: &#started, x: &#unknown) -> #phase {
+        fn end(&self, prepared: &#prepared, start: &#started, x: &#unknown) -> #increments {
             let mut end = <#phase as Array>::zero();
+            #increment
             #end
-            end
+            PerCoordinate { z: end, s: #result }
         }
         #[inline(always)]
         fn origin(&self, prepared: &#prepared, start: &#started) -> #unknown {
@@ -106,6 +124,7 @@ fn step(context: &Context<'_>, method: &str, step: &StepKernel) -> TokenStream {
 /// Returns the public methods of the struct.
 fn inherent(context: &Context<'_>, rows: usize) -> TokenStream {
     let (name, float, coordinates) = (&context.energy.name, &context.energy.float, &context.energy.coordinates.ty);
+    let state = state(context.form);
     quote! {
         impl #name {
             /// A state near this one that is on the constraints. Positions move the shortest way to first order, in the metric of the mass matrix. Momenta lose
@@ -115,13 +134,13 @@ fn inherent(context: &Context<'_>, rows: usize) -> TokenStream {
             /// If no such state is near, if constraints depend on each other there, or if the state is not finite.
             pub fn state_on_constraint(
                 &self,
-                state: &State<#coordinates>,
-            ) -> ::core::result::Result<State<#coordinates>, StepError> {
+                state: &#state<#coordinates>,
+            ) -> ::core::result::Result<#state<#coordinates>, StepError> {
                 state_on_constraint::<Self, #float>(self, state)
             }
 
             /// The multipliers of a state: λ of the force −Gᵀλ for each `constraint` with gradient G, then μ of the force Aᵀμ for each row A of `rolling`.
-            pub fn multipliers(&self, state: &State<#coordinates>) -> [#float; #rows] {
+            pub fn multipliers(&self, state: &#state<#coordinates>) -> [#float; #rows] {
                 let (t, z, _) = state.parts();
                 ConstrainedSystem::multipliers(self, t, &z)
             }

@@ -1,6 +1,6 @@
-//! Reports H(q, p, t) with constraints.
+//! Reports H(q, p, t) and H(q, p, s, t) with constraints.
 
-use super::{Report, friction, lagrangian, plural};
+use super::{Report, contact, friction, lagrangian, plural};
 use crate::analyze::Binding;
 use crate::derive::{ConstrainedFindings, Kernels, System};
 use crate::diff::constraint::Row;
@@ -11,6 +11,22 @@ use crate::parse::Role;
 pub(super) fn report(report: &mut Report<'_>, found: &ConstrainedFindings, system: &System) {
     equations(report, found, system);
     let rolls = found.rows.iter().any(|row| row.value.is_none());
+    match &found.action {
+        Some((action, dissipated)) => contact::decaying(report, "H", CONTACT_MAPS, action.decay, dissipated),
+        None => conserved(report, found, rolls),
+    }
+    work(report, found);
+    if rolls {
+        writeln!(report, "- no symplectic form: volume in phase space is not kept in general");
+    }
+    steps(report, found, system, rolls);
+}
+
+/// The contact maps for systems with constraints.
+const CONTACT_MAPS: &str = "`ContactSplitting`, `ContactLeapfrog`";
+
+/// Writes the integrals of a system without an action.
+fn conserved(report: &mut Report<'_>, found: &ConstrainedFindings, rolls: bool) {
     let kept = &found.kept;
     writeln!(report, "\nConserved by the flow and by `DiscreteGradient`, at least");
     let energy = kept.conserves_energy().then(|| "the energy".to_string());
@@ -23,6 +39,10 @@ pub(super) fn report(report: &mut Report<'_>, found: &ConstrainedFindings, syste
     let momenta = kept.momenta.iter().map(|momentum| report.momentum(momentum));
     let conserved: Vec<String> = energy.into_iter().chain(cyclic).chain(momenta).collect();
     report.conserved(&conserved);
+}
+
+/// Writes which constraints do work.
+fn work(report: &mut Report<'_>, found: &ConstrainedFindings) {
     for (k, row) in found.rows.iter().enumerate() {
         let graph = &report.compilation.graph;
         if graph.is_zero(row.drift) {
@@ -35,10 +55,6 @@ pub(super) fn report(report: &mut Report<'_>, found: &ConstrainedFindings, syste
         };
         writeln!(report, "- the energy changes at the rate {power}: this constraint does work");
     }
-    if rolls {
-        writeln!(report, "- no symplectic form: volume in phase space is not kept in general");
-    }
-    steps(report, found, system, rolls);
 }
 
 /// The name of the multiplier of a row: λ[k] for positions, μ[k] for velocities.
@@ -51,14 +67,20 @@ fn multiplier(rows: &[Row], k: usize) -> String {
 fn equations(report: &mut Report<'_>, found: &ConstrainedFindings, system: &System) {
     let (rows, gradient, structure) = (&found.rows, &found.gradient, &found.structure);
     let (q, p) = (report.name_of(Role::Position), report.name_of(Role::Momentum));
-    writeln!(report, "H = {}", report.formula(structure.energy));
+    writeln!(report, "H = {}", report.formula(found.energy));
     report.derivatives("H", Symbol::Position, &gradient.q, Report::excerpt);
     report.derivatives("H", Symbol::Momentum, &gradient.p, Report::excerpt);
+    let mut friction = String::new();
+    if let Some((action, _)) = &found.action {
+        let s = report.named(Symbol::Action);
+        writeln!(report, "∂H/∂{s} = {}", report.excerpt(action.decay));
+        friction = format!(" − {p} ∂H/∂{s}");
+    }
     lagrangian::of_energy(report, system);
     let (positions, velocities): (Vec<&Row>, Vec<&Row>) = rows.iter().partition(|row| row.value.is_some());
     if !positions.is_empty() {
         let others = if velocities.is_empty() { "" } else { " + Aᵀμ" };
-        writeln!(report, "\nConstraints: {p}' = −∂H/∂{q} − Gᵀλ{others} with G = ∂g/∂{q}");
+        writeln!(report, "\nConstraints: {p}' = −∂H/∂{q}{friction} − Gᵀλ{others} with G = ∂g/∂{q}");
         for row in &positions {
             writeln!(report, "- 0 = {}", report.excerpt(row.written));
         }
@@ -122,16 +144,18 @@ fn steps(report: &mut Report<'_>, found: &ConstrainedFindings, system: &System, 
         let (unknowns, operations) = (step.unknowns.len(), step.kernel.operations());
         writeln!(report, "- `{method}`, {unknowns} unknown{}, an iteration: {operations}", plural(unknowns));
     }
-    match rolls {
-        true => writeln!(report, "- it may be composed: `Suzuki4.of(DiscreteGradient)`"),
-        false => writeln!(report, "- both may be composed: `Suzuki4.of(Rattle)`"),
+    match (&found.action, rolls) {
+        (Some(_), _) => writeln!(report, "- all may be composed: `Suzuki4.of(ContactSplitting)`"),
+        (None, true) => writeln!(report, "- it may be composed: `Suzuki4.of(DiscreteGradient)`"),
+        (None, false) => writeln!(report, "- both may be composed: `Suzuki4.of(Rattle)`"),
     }
     if kernels.quadratic {
         writeln!(report, "- momenta are tangent to the constraints at the ends of steps");
     } else {
         writeln!(
             report,
-            "- momenta of `DiscreteGradient` leave the constraints by O(h²), and come back: read `state_on_constraint()`"
+            "- momenta of `{}` leave the constraints by O(h²), and come back: read `state_on_constraint()`",
+            if found.action.is_some() { "ContactDiscreteGradient" } else { "DiscreteGradient" }
         );
     }
     if system.rate.is_some() {

@@ -16,7 +16,7 @@ pub(super) fn report(
 ) {
     structure(report, energy, gradient, system);
     if let Some(found) = dissipated {
-        decaying(report, "H", gradient.s, found);
+        decaying(report, "H", CONTACT_MAPS, gradient.s, found);
     }
     writeln!(report, "\nPieces with flows in closed form, in the order of half a step");
     system.pieces.iter().for_each(|found| pieces::of_energy(report, found));
@@ -68,10 +68,14 @@ fn structure(report: &mut Report<'_>, energy: Id, gradient: &Gradient, system: &
     }
 }
 
+/// Contact maps for every contact system without constraints.
+pub(super) const CONTACT_MAPS: &str = "`ContactGauss`, `ContactMidpoint`";
+
 /// Reports functions that decay by one common factor. `function` is H or L, which does not read the cyclic coordinates.
 pub(super) fn decaying(
     report: &mut Report<'_>,
     function: &str,
+    contact_maps: &str,
     rate: Id,
     Dissipated { cyclic, momenta, energy }: &Dissipated,
 ) {
@@ -94,7 +98,7 @@ pub(super) fn decaying(
     if !cyclic.is_empty() || !momenta.is_empty() {
         writeln!(
             report,
-            "In a step of a contact map (`ContactGauss`, `ContactMidpoint`) momenta are multiplied by one number, to rounding"
+            "In a step of a contact map ({contact_maps}) momenta are multiplied by one number, to rounding"
         );
     }
     if *energy {

@@ -1,6 +1,6 @@
 //! Reports steps of a Lagrangian with velocities as unknowns.
 
-use super::contact::decaying;
+use super::contact::{CONTACT_MAPS, decaying};
 use super::{Report, friction};
 use crate::analyze::{Acting, Damping, Forces};
 use crate::check::wording::commas;
@@ -38,7 +38,7 @@ pub(super) fn report(
                 false => writeln!(report, "- positions and momenta move without s: `without_action` leaves it out"),
             }
             if let Some(dissipated) = dissipated {
-                decaying(report, "L", *decay, dissipated);
+                decaying(report, "L", CONTACT_MAPS, *decay, dissipated);
             }
         }
     }

@@ -1,8 +1,6 @@
 //! Splittings, and Nyström tables of two pieces, as methods: their steps are those of a [`PieceComposition`].
 
-use super::splittings::{
-    ContactSplitting, PieceKind, PieceSplitting, PlanarDiscreteGradient, PlanarSplitting, PoissonSplitting,
-};
+use super::splittings::{PieceKind, PieceSplitting, PlanarDiscreteGradient, PlanarSplitting, PoissonSplitting};
 use super::table::{PieceComposition, PieceNystrom};
 use crate::method::composition::{Composition, SymmetricMap};
 use crate::method::flows::delegate;
@@ -30,6 +28,6 @@ macro_rules! splittings {
     )* };
 }
 
-splittings!(PieceSplitting ContactSplitting PoissonSplitting PlanarSplitting PlanarDiscreteGradient);
+splittings!(PieceSplitting PoissonSplitting PlanarSplitting PlanarDiscreteGradient);
 
 delegate!([const K: usize,] PieceNystrom<K>, [NystromPieces<R>], PieceComposition<K, PieceSplitting>, |this| this.composition());

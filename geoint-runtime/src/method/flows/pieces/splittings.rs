@@ -7,6 +7,19 @@ pub trait PieceKind: Copy + Default {
     const NAME: &'static str;
 }
 
+/// A splitting all of whose flows are exact. Tables of maps and adjoints, such as [`BlanesMoan4X`](crate::BlanesMoan4X), need them: with steps of order 2 in
+/// place of flows they would have order 2.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` solves equations in place of flows, and this table would have order 2",
+    label = "this table needs exact flows",
+    note = "compositions of steps keep their order: `Suzuki4.of(PlanarSplitting)`, `Yoshida6a.of(PlanarDiscreteGradient)`"
+)]
+pub trait ExactFlows: PieceKind {}
+
+impl ExactFlows for PieceSplitting {}
+impl ExactFlows for ContactSplitting {}
+impl ExactFlows for PoissonSplitting {}
+
 /// e^(h/2 X₁) … e^(h/2 Xₖ₋₁) e^(h Xₖ) e^(h/2 Xₖ₋₁) … e^(h/2 X₁): the exact flows of the pieces of H(q, p, t), for energies whose terms
 /// couple positions and momenta. Order 2, symmetric, symplectic, explicit. The flow of every piece but the last is applied twice a step.
 ///
@@ -41,6 +54,9 @@ pub struct PieceSplitting;
 /// e^(h/2 X₁) … e^(h/2 Xₖ₋₁) e^(h Xₖ) e^(h/2 Xₖ₋₁) … e^(h/2 X₁): the exact flows of the pieces of H for contact systems. A kick is in
 /// the middle, or else the most expensive flow. Order 2, symmetric, a contact map. The flow of every piece but the last is applied twice
 /// a step.
+///
+/// Beside constraints, for H = H₀(q, p, t) + γ(t)·s, the step is [`DampedRattle`](crate::method::constrained::DampedRattle): half of the flow of γs, a step of
+/// RATTLE, and again half of the flow.
 ///
 /// If the flow of a piece ends within a step, as for H = s², the step is refused with the name of the piece.
 /// A. Bravetti, M. Seri, M. Vermeeren & F. Zadra, Celest. Mech. Dyn. Astr. 132 (2020) 7.

@@ -1,6 +1,6 @@
 //! Tables of splitting methods for any number of pieces.
 
-use super::splittings::{ContactSplitting, PieceKind, PieceSplitting};
+use super::splittings::{ContactSplitting, ExactFlows, PieceKind, PieceSplitting};
 use crate::method::Name;
 use crate::method::composition::Composition;
 use crate::method::flows::{DriftFirst, Nystrom};
@@ -36,7 +36,7 @@ impl<const K: usize> PieceComposition<K> {
     }
 
     /// Returns this table for the pieces of another splitting.
-    pub const fn of<M: PieceKind>(self, _: M) -> PieceComposition<K, M> {
+    pub const fn of<M: ExactFlows>(self, _: M) -> PieceComposition<K, M> {
         let Self { name, order, weights, .. } = self;
         PieceComposition { name: name.of(Name::new(M::NAME)), order, weights, splitting: PhantomData }
     }
