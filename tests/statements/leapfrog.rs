@@ -110,10 +110,10 @@ fn falling(q: f64, p: f64, s: f64, m: f64, g: f64, gamma: f64) -> f64 {
     p * p / (2.0 * m) + m * g * q + gamma * s
 }
 
-/// S50, a problem on which the variational integrator is more accurate at the same order: its terminal speed g/γ is exact, because ½(p₀ + p₁) has the friction.
-/// The splitting falls with the speed gh/(2 sinh(γh/2)).
+/// S50, a problem on which the variational integrator is more accurate at the same order: its terminal momentum mg/γ is exact, because the friction is that of
+/// ½(p₀ + p₁). The splitting has the exact mean speed, but its momenta at the ends of steps are mgh/(2 sinh(γh/2)).
 #[test]
-fn the_variational_step_has_the_exact_terminal_speed() -> Result<(), StepError> {
+fn the_variational_step_has_the_exact_terminal_momentum() -> Result<(), StepError> {
     let (m, g, gamma, h) = (1.7, 9.81, 0.5, 0.2);
     let system = Falling { m, g, gamma };
     let start = ContactState::new(0.0, 0.0, 0.0);
@@ -125,7 +125,7 @@ fn the_variational_step_has_the_exact_terminal_speed() -> Result<(), StepError> 
     assert!(relative(leapfrog.state().p).abs() < 1e-14, "{:e}", relative(leapfrog.state().p));
     let expected = gamma * h / (2.0 * (gamma * h / 2.0).sinh()) - 1.0;
     assert!((relative(splitting.state().p) / expected - 1.0).abs() < 1e-10, "{:e}", relative(splitting.state().p));
-    // The same holds for the speed between two positions.
+    // The mean speed between two positions is exact for both.
     let mut fallen = [0.0; 2];
     fallen[0] = leapfrog.state().q;
     leapfrog.step()?;
@@ -134,6 +134,6 @@ fn the_variational_step_has_the_exact_terminal_speed() -> Result<(), StepError> 
     splitting.step()?;
     fallen[1] -= splitting.state().q;
     let errors = fallen.map(|way| (way / h * gamma / g - 1.0).abs());
-    assert!(errors[0] < 1e-11 && errors[1] > 1e-4, "{errors:?}");
+    assert!(errors.iter().all(|error| *error < 1e-11), "{errors:?}");
     Ok(())
 }

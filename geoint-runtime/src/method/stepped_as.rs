@@ -11,7 +11,8 @@ use crate::system::PhaseSpace;
 /// flows has no closed form. A step of RATTLE replaces it, and the whole step is [`DampedRattle`](crate::method::constrained::DampedRattle).
 #[diagnostic::on_unimplemented(
     message = "`{M}` is not a method for `{Self}`",
-    label = "this method is for systems of `#[contact_hamiltonian]`, and of `#[lagrangian]` with `s`"
+    label = "this method is for systems of `#[contact_hamiltonian]`, and of `#[lagrangian]` with `s`",
+    note = "methods for T(p) + V(q) without dissipation: `StormerVerlet`, `BlanesMoan4`; for coupled q and p: `PieceSplitting`"
 )]
 pub trait SteppedAs<M, R: Real = f64>: PhaseSpace<R> {
     /// `()`; see [`Method::Proof`].

@@ -5,6 +5,11 @@ use crate::scalar::{Real, zero};
 use crate::space::{Array, ContactState, Square};
 
 /// A system with a contact Hamiltonian H(q, p, s, t).
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no contact system without constraints",
+    label = "this method does not fit this kind of system",
+    note = "methods that keep a `constraint` beside `s`: `ContactSplitting`, `ContactLeapfrog`, `ContactDiscreteGradient`"
+)]
 pub trait Contact<R: Real = f64>:
     Cotangent<R> + PhaseSpace<R, Action = R, State = ContactState<<Self as Cotangent<R>>::Coordinates>>
 {

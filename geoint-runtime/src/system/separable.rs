@@ -10,7 +10,8 @@ use crate::space::PerCoordinate;
 #[diagnostic::on_unimplemented(
     message = "kick and drift do not exist for `{Self}`",
     label = "H was not proven to be T(p) + V(q)",
-    note = "methods for every energy: `ImplicitMidpoint`, `Gauss`, `DiscreteGradient`"
+    note = "methods for every energy: `ImplicitMidpoint`, `Gauss`, `DiscreteGradient`",
+    note = "methods that keep a `constraint` beside `s`: `ContactSplitting`, `ContactLeapfrog`, `ContactDiscreteGradient`"
 )]
 pub trait Separable<R: Real = f64>: Cotangent<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).

@@ -17,6 +17,7 @@ use crate::system::{Invariants, PhaseSpace};
     note = "methods for contact Hamiltonians: `ContactGauss`, `ContactMidpoint`, `ContactDiscreteGradient`; for a `lift`: `ContactSplitting`",
     note = "methods with forces beside an action: `DOP853`, `RK4`, and Taylor series by `system.taylor`",
     note = "methods that keep a `constraint`: `Rattle`, `DiscreteGradient`; with `rolling`: `DiscreteGradient`, `RK4`, `DOP853`",
+    note = "methods that keep a `constraint` beside `s`: `ContactSplitting`, `ContactLeapfrog`, `ContactDiscreteGradient`",
     note = "methods for rigid bodies (`attitude = r`): tables of kicks and drifts such as `BlanesMoanSrkn14a`, `FiveRotations`, `RK4`, `DOP853`"
 )]
 pub trait ImplicitMethod<S: PhaseSpace<R>, R: Real = f64>: Copy {
