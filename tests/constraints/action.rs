@@ -1,4 +1,5 @@
-//! Constraints beside an action, H = H₀(q, p, t) + γ(t)·s. The references are angles of an extrapolation method with twenty digits, and the same system by an angle.
+//! Constraints beside an action, H = H₀(q, p, t) + γ(t)·s. The references are angles of an extrapolation method with twenty digits, and the same system by an
+//! angle.
 
 use crate::systems::orders;
 use geoint_runtime::methods::*;

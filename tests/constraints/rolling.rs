@@ -1,5 +1,5 @@
-//! Constraints of velocities: errors, laws and controls. References are closed forms, and states by an extrapolation method with 22 digits. First errors such as
-//! 4.58e-4 are those of another program.
+//! Constraints of velocities: errors, laws and controls. References are closed forms, and states by an extrapolation method with 22 digits. First errors such
+//! as 4.58e-4 are those of another program.
 
 use crate::systems::orders;
 use geoint_runtime::methods::*;

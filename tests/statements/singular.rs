@@ -1,5 +1,5 @@
-//! S63: singular contact systems. L = p·q' − H(q, p) − γs is linear in the velocities of its coordinates q and p, and does not read p'. Its solutions are those of
-//! the contact Hamiltonian H + γs, and its action is stationary under independent variations of q and p.
+//! S63: singular contact systems. L = p·q' − H(q, p) − γs is linear in the velocities of its coordinates q and p, and does not read p'. Its solutions are
+//! those of the contact Hamiltonian H + γs, and its action is stationary under independent variations of q and p.
 
 use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;

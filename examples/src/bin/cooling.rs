@@ -1,8 +1,8 @@
-//! How does a system cool if its friction and its clock follow the action?
+//! How does a pendulum cool if both its friction and its speed depend on the action?
 //!
-//! H = E(q, p) f(s) combines friction E f'(s) with a clock of rate f(s). For f = eᵏˢ the flows of (p²/2) f and V f are both known. Each changes
-//! p and s, and the first also changes q. The energy decays by an exact law: H' = −k H², hence 1/H = 1/H₀ + k t. The decay of E becomes slower
-//! as E becomes smaller. Systems that keep a temperature are in the example `sampling`.
+//! H = E(q, p) f(s) gives q' = f ∂E/∂p and p' = −f ∂E/∂q − E f'(s) p. So f is the rate at which time passes for E, and E f' is the friction. Here f = eᵏˢ. Then
+//! ∂H/∂s = k H, and H itself decays by an exact law: H' = −k H², hence 1/H = 1/H₀ + k t. Both parts, (p²/2) f and V f, have flows in closed form. E loses
+//! k p² E f per unit of time: it only falls, and ever more slowly. Systems that keep a temperature are in the example `sampling`.
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, largest, orbit, order, table};
@@ -10,9 +10,10 @@ use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use std::error::Error;
 
-/// A pendulum, at rest with energy 0, with a clock and friction that follow the action.
+/// H of a pendulum whose energy E is 0 if it hangs at rest. Unit mass, length and gravity.
 #[contact_hamiltonian]
 fn cooling(q: f64, p: f64, s: f64, k: f64) -> f64 {
+    // 2 sin²(q/2) is 1 − cos q without cancellation.
     let sine = (q / 2.0).sin();
     (p * p / 2.0 + 2.0 * sine * sine) * (k * s).exp()
 }
@@ -20,18 +21,19 @@ fn cooling(q: f64, p: f64, s: f64, k: f64) -> f64 {
 const SYSTEM: Cooling = Cooling { k: 0.3 };
 const START: ContactState<f64> = ContactState { t: 0.0, q: 1.0, p: 1.8, s: 0.0 };
 
-fn energy(x: &ContactState<f64>) -> f64 {
+/// E.
+fn pendulum_energy(x: &ContactState<f64>) -> f64 {
     x.p * x.p / 2.0 + 1.0 - x.q.cos()
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
     println!("{}", Cooling::REPORT);
     let law = |t: f64| 1.0 / (1.0 / SYSTEM.energy(&START) + SYSTEM.k * t);
-    let off = |states: Vec<ContactState<f64>>| largest(states.iter().map(|x| SYSTEM.energy(x) / law(x.t) - 1.0));
+    let deviation = |states: Vec<ContactState<f64>>| largest(states.iter().map(|x| SYSTEM.energy(x) / law(x.t) - 1.0));
     let (mut rows, mut errors) = (vec![], vec![]);
     for h in [0.4, 0.2, 0.1] {
-        let two = off(orbit(SYSTEM, ContactSplitting, h, START, 100.0)?);
-        let four = off(orbit(SYSTEM, BlanesMoan4X, h, START, 100.0)?);
+        let two = deviation(orbit(SYSTEM, ContactSplitting, h, START, 100.0)?);
+        let four = deviation(orbit(SYSTEM, BlanesMoan4X, h, START, 100.0)?);
         errors.push([two, four]);
         rows.push([h.to_string(), format!("{two:.1e}"), format!("{four:.1e}")]);
     }
@@ -42,7 +44,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         (two - 2.0).abs() < 0.1 && (four - 4.0).abs() < 0.3
     })?;
     let states = orbit(SYSTEM, ContactSplitting, 0.1, START, 100.0)?;
-    let gains = states.windows(2).filter(|x| energy(&x[1]) > energy(&x[0]) + 1e-3).count();
+    // E may grow by the error of a step, about h³ = 1e-3.
+    let gains = states.windows(2).filter(|x| pendulum_energy(&x[1]) > pendulum_energy(&x[0]) + 1e-3).count();
     claim("E decays, to the error of a step", gains == 0)?;
 
     let path = states.iter().map(|x| (x.q, x.p)).collect();
@@ -60,7 +63,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let decay = vec![
         curve("1/(1/H₀ + k t)", palette::GREY, &|x| law(x.t)),
         Curve::dots("H, h = 0.4", palette::VERMILION, dots).open(),
-        curve("E, h = 0.1", palette::BLUE, &energy),
+        curve("E, h = 0.1", palette::BLUE, &pendulum_energy),
     ];
     let decay = Panel::new(
         "Decay of H and E",

@@ -1,7 +1,7 @@
-//! Which forces act in the bearings of a driven linkage? A motor turns the crank; its torque follows from the multipliers.
+//! Which forces act in the bars of a driven linkage, and which torque must its motor give? Both follow from the multipliers.
 //!
-//! The crank's angle is a function of time, so its end is no coordinate: the first constraint moves. The joint C of coupler and rocker carries a mass, and a
-//! pendulum hangs from C. The way of C is known from geometry, which is an independent check.
+//! The crank's angle is a given function of time. Its end therefore has no coordinates, and the first constraint, the length of the coupler, reads time. The
+//! bars have no mass. The joint C of coupler and rocker carries one, and a pendulum hangs from C. The path of C is known from geometry, an independent check.
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, largest, order, table};
@@ -9,7 +9,8 @@ use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use std::error::Error;
 
-/// Joint C and the mass P of the pendulum. The crank has the angle 0.3 + 2t.
+/// Joint C and the mass P of the pendulum. The crank has the angle 0.3 + 2t. `bars` are crank, coupler and rocker; the rocker turns about (d, 0), and the
+/// pendulum has the length l. Each constraint is (distance² − length²)/2, so its multiplier is a force divided by a length.
 #[hamiltonian(constraint = [
     ((q[0] - bars[0] * (0.3 + 2.0 * t).cos()).powi(2) + (q[1] - bars[0] * (0.3 + 2.0 * t).sin()).powi(2)
         - bars[1] * bars[1]) / 2.0,
@@ -31,13 +32,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     let path = run(DiscreteGradient, H, TIME)?;
     let off = largest(path.iter().map(|e| e.off));
     let error = |h: f64| -> Result<f64, StepError> {
-        let [end, exact] = [run(DiscreteGradient, h, 2.0)?, run(KahanLi8_17a.of(Rattle), 0.01, 2.0)?]
+        // The constraints alone determine C. The pendulum is compared with a run of order 8.
+        let [end, reference] = [run(DiscreteGradient, h, 2.0)?, run(KahanLi8_17a.of(Rattle), 0.01, 2.0)?]
             .map(|run| run.last().map_or([0.0; 4], |end| end.q));
-        Ok((end[2] - exact[2]).hypot(end[3] - exact[3]))
+        Ok((end[2] - reference[2]).hypot(end[3] - reference[3]))
     };
     let (work, gained) = balance(&path);
     let rows = [
-        ["largest distance of C from its way".into(), format!("{off:.1e}")],
+        ["largest distance of C from its path".into(), format!("{off:.1e}")],
         ["largest force in the coupler, in N".into(), format!("{:.2}", largest(path.iter().map(|e| e.coupler.abs())))],
         ["largest force in the rocker, in N".into(), format!("{:.2}", largest(path.iter().map(|e| e.rocker.abs())))],
         ["largest torque of the motor, in N m".into(), format!("{:.2}", largest(path.iter().map(|e| e.torque.abs())))],
@@ -46,14 +48,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     ];
     println!("{}", table(["", "DiscreteGradient, h = 0.01 s"], &rows));
 
-    claim("the joint stays on its way to 1e-14", off < 1e-14)?;
+    claim("the joint stays on its path to 1e-14", off < 1e-14)?;
     claim("the pendulum has order 2", (order(error(0.02)?, error(0.01)?) - 2.0).abs() < 0.1)?;
+    // The torque is known at the ends of steps only: the trapezoidal rule sets the error.
     claim("the motor's work is the gain of energy to 1 %", (work / gained - 1.0).abs() < 1e-2)?;
     println!();
     draw(&path)
 }
 
-/// State and forces after a step.
+/// A state with its forces.
 struct Sample {
     t: f64,
     q: [f64; 4],
@@ -67,9 +70,11 @@ struct Sample {
     energy: f64,
 }
 
+/// Returns the states of a run, and the forces in each of them. The pendulum starts 0.5 rad from below, and moves with C.
 fn run<M: Method<Crank>>(method: M, h: f64, time: f64) -> Result<Vec<Sample>, StepError> {
     let [x, y] = joint(0.0);
     let (sin, cos) = 0.5_f64.sin_cos();
+    // The velocity of C, to 1e-8. The state is then moved onto the constraints.
     let [u, w] = [0, 1].map(|i| (joint(1e-4)[i] - joint(-1e-4)[i]) / 2e-4);
     let [first, second] = LINKAGE.m;
     let near = State::new([x, y, x + 0.7 * sin, y - 0.7 * cos], [first * u, first * w, second * u, second * w]);
@@ -77,13 +82,13 @@ fn run<M: Method<Crank>>(method: M, h: f64, time: f64) -> Result<Vec<Sample>, St
     let mut samples = vec![];
     for _ in 0..=(time / h).round() as u32 {
         let (State { t, q, .. }, [coupler, rocker, _]) = (sim.state(), sim.multipliers());
-        let (exact, crank) = (joint(t), crank_end(t));
-        // The coupler pulls the crank's end towards C.
+        let (on_path, crank) = (joint(t), crank_end(t));
+        // The coupler pulls the crank's end towards C, and the motor holds against the torque of this pull.
         let pull = [0, 1].map(|i| coupler * (q[i] - crank[i]));
         samples.push(Sample {
             t,
             q,
-            off: (q[0] - exact[0]).hypot(q[1] - exact[1]),
+            off: (q[0] - on_path[0]).hypot(q[1] - on_path[1]),
             coupler: coupler * LINKAGE.bars[1],
             rocker: rocker * LINKAGE.bars[2],
             torque: crank[1] * pull[0] - crank[0] * pull[1],
@@ -94,11 +99,10 @@ fn run<M: Method<Crank>>(method: M, h: f64, time: f64) -> Result<Vec<Sample>, St
     Ok(samples)
 }
 
-/// The work of the motor by the trapezoidal rule, and the gain of energy.
+/// The work of the motor by the trapezoidal rule, ½ (τ₀ + τ₁) ω per unit of time with the rate ω = 2 rad/s of the crank, and the gain of energy.
 fn balance(path: &[Sample]) -> (f64, f64) {
     let work = path.windows(2).map(|pair| (pair[1].t - pair[0].t) * (pair[0].torque + pair[1].torque));
     let [first, last] = [path.first(), path.last()].map(|sample| sample.map_or(0.0, |sample| sample.energy));
-    // The crank turns with 2 rad/s.
     (work.sum(), last - first)
 }
 

@@ -1,12 +1,15 @@
 //! Can steps of contact flows draw states from a given distribution?
 //!
-//! A thermostat adds a coordinate s to q and p, so that the flow keeps the density e^(−βE) f(s). Nosé's and Hoover's thermostat has Gauss'
-//! function f, the logistic thermostat f = 1/cosh²(s/2Q) (D. Tapias, A. Bravetti & D. Sanders, Comput. Methods Sci. Technol. 23 (2017) 11). Both
-//! are contact flows in another time (A. Bravetti & D. Tapias, Phys. Rev. E 93 (2016) 022139). The macro proves that the density is kept. No proof
-//! says that one orbit reaches all states: this is measured here, and the control does not.
+//! A thermostat adds a coordinate ξ to q and p, so that the flow keeps the density e^(−βE) f(ξ). For Nosé and Hoover f is a Gaussian, for the logistic
+//! thermostat f = 1/cosh²(ξ/(2Q)) (D. Tapias, A. Bravetti & D. Sanders, Comput. Methods Sci. Technol. 23 (2017) 11). Both are contact flows in another
+//! time (A. Bravetti & D. Tapias, Phys. Rev. E 93 (2016) 022139). Here they are fields x' = X(x), and `lift` makes H = p·X of them; only x matters.
 //!
-//! A trajectory with friction −a in its first half and +a in its second crosses barriers. It keeps the volume and is reversible, so one test
-//! makes it exact: accept it with the probability min(1, e^(−ΔE)) (R. Neal, Handbook of Markov Chain Monte Carlo, 2011, 5.5.7).
+//! The macro proves that the exact flow keeps the density. Steps keep it up to O(h²). That one orbit reaches all states is not proven but measured. The
+//! control, Nosé and Hoover's thermostat of an oscillator, does not: its orbits stay on tori.
+//!
+//! Tempered trajectories heat a system by friction −a in their first half, and cool it by +a in the second. They thus cross barriers. Their steps multiply
+//! volumes by factors that cancel, and are reversible. So one test makes the distribution exact for every h: accept the end with the probability
+//! min(1, e^(−ΔE)) (R. Neal, Handbook of Markov Chain Monte Carlo, 2011, 5.5.7).
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, largest, table};
@@ -16,7 +19,7 @@ use std::error::Error;
 use std::f64::consts::TAU;
 use std::fmt;
 
-/// The logistic thermostat of the double well V = q⁴/4 − q²/2, in units of mass and temperature; x is (q, p, s).
+/// The logistic thermostat of the double well V = q⁴/4 − q²/2 with m = β = 1; x is (q, p, ξ), and `width` is Q.
 #[contact_hamiltonian(
     lift,
     q = x,
@@ -27,13 +30,13 @@ fn logistic(x: [f64; 3], p: [f64; 3], _s: f64, width: f64) -> f64 {
     p[0] * x[1] + p[1] * (x[0] - x[0].powi(3) + g * x[1]) + p[2] * (x[1] * x[1] - 1.0)
 }
 
-/// Nosé's and Hoover's thermostat of an oscillator; x is (q, p, s).
+/// Nosé's and Hoover's thermostat of an oscillator; x is (q, p, ξ).
 #[contact_hamiltonian(lift, q = x, measure = (-(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) / 2.0).exp())]
 fn nose_hoover(x: [f64; 3], p: [f64; 3], _s: f64) -> f64 {
     p[0] * x[1] + p[1] * (-x[0] - x[2] * x[1]) + p[2] * (x[1] * x[1] - 1.0)
 }
 
-/// Two wells with a barrier of 8; the friction changes its sign in the middle.
+/// Two wells with a barrier of 8. The friction changes its sign at the time `middle`, which is the end of a step; s is the action.
 #[contact_hamiltonian]
 fn tempered(q: f64, p: f64, s: f64, t: f64, a: f64, middle: f64) -> f64 {
     let friction = if t < middle { -a } else { a };
@@ -52,7 +55,7 @@ fn high_barrier(q: f64) -> f64 {
 struct Random(u64);
 
 impl Random {
-    /// Returns a number between 0 and 1.
+    /// Returns a number in (0, 1]. It is never 0, for the logarithm.
     fn uniform(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
@@ -61,6 +64,7 @@ impl Random {
         ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64 + f64::EPSILON / 4.0
     }
 
+    /// Returns a normal number, by G. E. P. Box and M. E. Muller.
     fn normal(&mut self) -> f64 {
         (-2.0 * self.uniform().ln()).sqrt() * (TAU * self.uniform()).cos()
     }
@@ -92,7 +96,7 @@ impl fmt::Display for Estimate {
     }
 }
 
-/// Returns the integral of e^(−V) times a function, by a sum over 10 000 points.
+/// Returns the integral of e^(−V) times a function, by a sum from −5 to 5. The rest is below rounding.
 fn integral(potential: fn(f64) -> f64, function: impl Fn(f64) -> f64) -> f64 {
     let points = (-5000..5000).map(|i| f64::from(i) / 1000.0);
     points.map(|q| (-potential(q)).exp() * function(q) / 1000.0).sum()
@@ -110,15 +114,17 @@ const EDGE: f64 = 2.5;
 
 /// Samples of orbits with the thermostat.
 struct Samples {
-    /// Means of q² and q⁴ in each run.
+    /// The mean of q² in each run.
     squares: Vec<f64>,
+    /// The mean of q⁴ in each run.
     fourth_powers: Vec<f64>,
-    /// Fractions of the positions.
+    /// The fraction of all positions in each bin.
     histogram: [f64; BINS],
 }
 
 fn samples(random: &mut Random) -> Result<Samples, StepError> {
     let mut samples = Samples { squares: vec![], fourth_powers: vec![], histogram: [0.0; BINS] };
+    // A sample each 0.05 units of time: 100 units are discarded, 1000 are taken.
     let (h, every, discarded, taken) = (0.0125, 4, 2000, 20_000);
     for _ in 0..RUNS {
         let start = [random.normal(), random.normal(), 0.0];
@@ -141,7 +147,9 @@ fn samples(random: &mut Random) -> Result<Samples, StepError> {
 
 /// Chains of tempered trajectories.
 struct Chains {
+    /// The fraction of accepted trajectories.
     accepted: f64,
+    /// The fraction of trajectories that end in the other well.
     changed: f64,
     square: Estimate,
     /// Positions of the first chain.
@@ -208,6 +216,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let orbits = [control(1.0, 0.0)?, control(0.0, 2.5)?];
     let squares = orbits.each_ref().map(|orbit| orbit.iter().map(|(q, _)| q * q).sum::<f64>() / orbit.len() as f64);
+    // The values of these two tori, by another program.
     let [inner, outer] = squares;
     claim(
         &format!("control: Nosé–Hoover stays on tori of the oscillator, q² = {inner:.3} and {outer:.3} instead of 1"),
@@ -224,11 +233,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     let rows = [row("a = 0", &plain), row("a = 1.5", &tempered)];
     println!("{}", table(["friction", "accepted", "well changed", "q²"], &rows));
     claim("tempered trajectories change the well hundreds of times as often", {
-        (plain.accepted - 0.993).abs() < 0.002
+        tempered.changed > 100.0 * plain.changed
+            && (plain.accepted - 0.993).abs() < 0.002
             && (tempered.accepted - 0.885).abs() < 0.005
             && (plain.changed - 1.8e-4).abs() < 1e-4
             && (tempered.changed - 5.3e-2).abs() < 3e-3
     })?;
+    // Both wells have the same q²: with a = 0 it is right although wells rarely change.
     claim(
         "q² agrees with e^(−V) to three error bars",
         plain.square.agrees(of_barrier) && tempered.square.agrees(of_barrier),

@@ -1,20 +1,24 @@
-//! Finds constraints A(q, t) v + b(q, t) = 0 that are rates of functions of positions. By Poincaré's lemma, these rows are closed: ∂ᵢAⱼ = ∂ⱼAᵢ and ∂ᵢb = ∂ₜAᵢ.
+//! Constraints A(q, t) v + b(q, t) = 0, as of rolling wheels: which of them are rates of functions of positions and time?
+//!
+//! The row (A, b) of a rate is closed: ∂ᵢAⱼ = ∂ⱼAᵢ and ∂ᵢb = ∂ₜAᵢ. By Poincaré's lemma, a closed row is a rate, at least near each point. That a row is
+//! closed is what this file proves.
 
 use super::identity::{Identity, identity, multiple, vanishes};
 use crate::diff::constraint::Row;
 use crate::diff::jacobian;
 use crate::ir::{Graph, Id, Symbol};
 
-/// Facts about constraints of velocities.
+/// What is known about whether constraints of velocities bind positions.
 #[derive(Debug)]
 pub(crate) enum Binding {
-    /// a − c·b of the rows a and b is the rate of a function of positions, which is given if its formula is simple.
+    /// Row i − `factor`·row j is the rate of a function of positions. The function is given if the entries of this row are constant and its b is 0. The
+    /// indices i and j do not count constraints of positions.
     Pair { rows: [usize; 2], factor: Id, function: Option<Id> },
-    /// There is one row, and none of its products with a function of positions is such a rate (Frobenius).
+    /// There is one row, and none of its products with a function of positions and time is such a rate (Frobenius).
     Nonholonomic,
-    /// There is one row, and the same is not proven.
+    /// There is one row, and this is not proven.
     Unknown,
-    /// There are several rows, and no such pair was found.
+    /// There are several rows, and no pair was found. Factors that move, factors that are sums, and combinations of three rows are not searched.
     NoPair,
 }
 
@@ -23,7 +27,7 @@ pub(crate) fn is_rate(graph: &mut Graph, row: &Row) -> bool {
     curl(graph, row).into_iter().all(|entry| vanishes(graph, entry))
 }
 
-/// The function of q whose rate is a row with constant entries.
+/// Returns Σ Aᵢqᵢ, whose rate is the row, if A is constant and b = 0. Integrals of other rows are not computed.
 pub(crate) fn integral(graph: &mut Graph, gradient: &[Id], drift: Id) -> Option<Id> {
     if !graph.is_zero(drift) || gradient.iter().any(|entry| graph.reads(*entry).moves()) {
         return None;
@@ -32,9 +36,11 @@ pub(crate) fn integral(graph: &mut Graph, gradient: &[Id], drift: Id) -> Option<
     Some(graph.dot(gradient, &positions))
 }
 
-/// Finds pairs of rows that bind positions. No single row is a rate. Beside constraints of positions, rows may be rates on their surface: then only pairs
-/// are reported.
+/// Finds pairs of rows that bind positions. The caller has refused rows that are rates by themselves.
+///
+/// Beside constraints of positions, a row may be a rate on their surface, although it is none elsewhere. Only pairs are reported then.
 pub(crate) fn bindings(graph: &mut Graph, rows: &[Row]) -> Vec<Binding> {
+    // A row with a value is the rate of a constraint of positions.
     let all = rows.len();
     let rows: Vec<&Row> = rows.iter().filter(|row| row.value.is_none()).collect();
     let curls: Vec<Vec<Id>> = rows.iter().map(|row| curl(graph, row)).collect();
@@ -42,8 +48,9 @@ pub(crate) fn bindings(graph: &mut Graph, rows: &[Row]) -> Vec<Binding> {
     for i in 0..rows.len() {
         for j in i + 1..rows.len() {
             let Some(factor) = common_factor(graph, &curls[i], &curls[j]) else { continue };
-            let mut rest = |a: Id, b: Id| graph.build(a - factor * b);
-            let gradient: Vec<Id> = rows[i].gradient.iter().zip(&rows[j].gradient).map(|(a, b)| rest(*a, *b)).collect();
+            let mut rest = |of_i: Id, of_j: Id| graph.build(of_i - factor * of_j);
+            let pairs = rows[i].gradient.iter().zip(&rows[j].gradient);
+            let gradient: Vec<Id> = pairs.map(|(of_i, of_j)| rest(*of_i, *of_j)).collect();
             let drift = rest(rows[i].drift, rows[j].drift);
             found.push(Binding::Pair { rows: [i, j], factor, function: integral(graph, &gradient, drift) });
         }
@@ -58,12 +65,12 @@ pub(crate) fn bindings(graph: &mut Graph, rows: &[Row]) -> Vec<Binding> {
     found
 }
 
-/// c with a = c·b for all entries, a number times powers of parameters.
-fn common_factor(graph: &mut Graph, a: &[Id], b: &[Id]) -> Option<Id> {
-    let first = (0..b.len()).find(|k| !graph.is_zero(b[*k]))?;
-    let factor = multiple(graph, a[first], b[first])?;
-    for (a, b) in a.iter().zip(b) {
-        let rest = graph.build(*a - factor * *b);
+/// Returns c with u = c·v for all entries. It must be constant, because d(cα) = c dα holds for constants only: c is a number times powers of parameters.
+fn common_factor(graph: &mut Graph, u: &[Id], v: &[Id]) -> Option<Id> {
+    let first = (0..v.len()).find(|k| !graph.is_zero(v[*k]))?;
+    let factor = multiple(graph, u[first], v[first])?;
+    for (u, v) in u.iter().zip(v) {
+        let rest = graph.build(*u - factor * *v);
         if !vanishes(graph, rest) {
             return None;
         }
@@ -71,7 +78,7 @@ fn common_factor(graph: &mut Graph, a: &[Id], b: &[Id]) -> Option<Id> {
     Some(factor)
 }
 
-/// All ∂ᵢAⱼ − ∂ⱼAᵢ with i < j, where b is the entry of time.
+/// Returns all ∂ᵢAⱼ − ∂ⱼAᵢ with i < j. Time is the last coordinate, and b is its entry of A.
 fn curl(graph: &mut Graph, row: &Row) -> Vec<Id> {
     let n = row.gradient.len();
     let symbols: Vec<Symbol> = (0..n as u32).map(Symbol::Position).chain([Symbol::Time]).collect();
@@ -86,16 +93,20 @@ fn curl(graph: &mut Graph, row: &Row) -> Vec<Id> {
     curl
 }
 
-/// Returns whether α∧dα is proven to differ from 0 for the form α of a row: then no integrating factor exists.
+/// Returns whether α∧dα is proven not to vanish identically, for the form α = A dq + b dt of a row. Then no integrating factor exists.
+///
+/// (α∧dα)ᵢⱼₖ = αᵢ dαⱼₖ − αⱼ dαᵢₖ + αₖ dαᵢⱼ.
 fn is_nonholonomic(graph: &mut Graph, row: &Row, curl: &[Id]) -> bool {
     let n = row.gradient.len() + 1;
     let alpha = [&row.gradient[..], &[row.drift]].concat();
+    // The index in `curl` of its entry for i < j.
     let place = |i: usize, j: usize| i * n - i * (i + 1) / 2 + j - i - 1;
     for i in 0..n {
         for j in i + 1..n {
             for k in j + 1..n {
-                let [a, b, c] = [[i, j, k], [j, i, k], [k, i, j]].map(|[one, x, y]| (alpha[one], curl[place(x, y)]));
-                let wedge = graph.build(a.0 * a.1 - b.0 * b.1 + c.0 * c.1);
+                let [of_i, of_j, of_k] = [i, j, k].map(|one| alpha[one]);
+                let [d_jk, d_ik, d_ij] = [(j, k), (i, k), (i, j)].map(|(i, j)| curl[place(i, j)]);
+                let wedge = graph.build(of_i * d_jk - of_j * d_ik + of_k * d_ij);
                 if matches!(identity(graph, wedge), Identity::Wrong(_)) {
                     return true;
                 }

@@ -1,4 +1,4 @@
-//! Checks the entropy and the friction of x' = L ∇E + M ∇S.
+//! Checks the entropy S and the friction M of x' = L ∇E + M ∇S. Other checks look at L, as at every structure matrix, and at M, as at every damping matrix.
 
 use super::wording::{refutation, undecided};
 use crate::analyze::Identity;
@@ -6,10 +6,11 @@ use crate::compilation::Compilation;
 use crate::derive::proof::Entropy;
 use crate::diagnostics::Result;
 
-/// Reports friction that is zero or changes the energy, and an entropy that L changes or that reads time.
+/// Reports friction that is zero or has M ∇E ≠ 0, and an entropy with L ∇S ≠ 0 or one that reads time. What is not proven is reported, too.
 pub(crate) fn entropy(compilation: &mut Compilation<'_>, found: Option<&Entropy>) -> Result<()> {
     let Some(found @ Entropy { place, .. }) = found else { return Ok(()) };
     let friction = &compilation.energy.options.friction;
+    // A matrix of zeros counts as no friction.
     if found.friction.is_none() {
         compilation.diagnostics.at(friction, "friction is zero, so that the entropy is constant: leave out both");
     }
@@ -34,7 +35,7 @@ pub(crate) fn entropy(compilation: &mut Compilation<'_>, found: Option<&Entropy>
     compilation.checked(())
 }
 
-/// Describes a row that is not zero.
+/// Describes a row that is not zero, or not proven to be.
 fn remaining(compilation: &Compilation<'_>, verdict: &Identity) -> String {
     let printer = compilation.printer();
     match verdict {

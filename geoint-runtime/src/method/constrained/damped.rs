@@ -12,8 +12,8 @@ use crate::system::ConstrainedStep;
 
 /// The steps of the splitting `M` beside constraints g(q, t) = 0: D₁ ∘ [`Rattle`](crate::Rattle) ∘ D₀ for H = H₀(q, p, t) + γ(t)·s.
 ///
-/// RATTLE solves H₀. It adds p̄·(q₁ − q₀) − h/2 (H₀(q₀, p̄, t₀) + H₀(q₁, p̄, t₁)) to the action, with the momenta p̄ in its middle. D₀ and D₁ multiply p and s by
-/// a factor:
+/// RATTLE solves H₀. It adds p̄·(q₁ − q₀) − h/2 (H₀(q₀, p̄, t₀) + H₀(q₁, p̄, t₁)) to the action, with the momenta p̄ in its middle. D₀ and D₁ multiply p and
+/// s by a factor:
 ///
 /// - [`ContactSplitting`]: e^(−hγ/2) both, with γ in the middle of the step, the flow of γs for h/2.
 /// - [`ContactLeapfrog`]: 1 − hγ₀/2 and 1/(1 + hγ₁/2), with γ at the start and at the end. A step is refused unless both are positive.

@@ -1,5 +1,5 @@
-//! The step of a system with constraints, for [`Rattle`](super::Rattle), [`DiscreteGradient`](crate::DiscreteGradient), and their forms beside an action. The attribute macros
-//! emit its equation as [`ConstrainedStep`]. This file connects the equation with the driver, and checks the constraints.
+//! The step of a system with constraints, for [`Rattle`](super::Rattle), [`DiscreteGradient`](crate::DiscreteGradient), and their forms beside an action. The
+//! attribute macros emit its equation as [`ConstrainedStep`]. This file connects the equation with the driver, and checks the constraints.
 //!
 //! The unknowns are multipliers μ = −½h²λ, and increments of positions and momenta if the method needs them. Both methods define their step by λ. μ moves the
 //! positions by about W Gᵀμ, with G = ∂g/∂q and W = ∂²H/∂p². They also determine the normal parts of
@@ -43,7 +43,8 @@ impl ConstrainedMethod for DiscreteGradient {
     const KEEPS_ENERGY: bool = true;
 }
 
-/// The same step with the mean friction −hγ(P₀ + P₁)/2, and s₁ − s₀ = (P₀ + P₁)/2·(q₁ − q₀) − h H(x₀) φ₁(−hγ). H decays by e^(−hγ), and P₁ = p₁ + e^(−hγ/2) Nᵀν.
+/// The same step with the mean friction −hγ(P₀ + P₁)/2, and s₁ − s₀ = (P₀ + P₁)/2·(q₁ − q₀) − h H(x₀) φ₁(−hγ). H decays by e^(−hγ), and P₁ = p₁ + e^(−hγ/2)
+/// Nᵀν.
 impl ConstrainedMethod for ContactDiscreteGradient {
     const KEEPS_ENERGY: bool = true;
 }

@@ -72,7 +72,8 @@ pub trait ConstrainedStep<M, R: Real = f64>: Constrained<R> {
 
     /// Computes the coefficients that depend on parameters and h.
     fn constants(&self, h: R) -> Self::Constants;
-    /// Computes the coefficients that all evaluations of a step from z have in common, with the action s. The times are those of its middle, its start and its end.
+    /// Computes the coefficients that all evaluations of a step from z have in common, with the action s. The times are those of its middle, its start and
+    /// its end.
     fn begin(
         &self,
         constants: &Self::Constants,
@@ -178,9 +179,9 @@ pub(crate) struct At<'a, A, R> {
 
 /// Checks that the constraints are independent at two positions and between. It is a test, and no proof.
 ///
-/// The test is det(G W G₁ᵀ) > 0 with the gradients G and G₁ at the two positions, and W at `z` and the first time. Each row is divided by its diagonal entry of G W Gᵀ. If
-/// constraints depend on each other between the positions, the space of their gradients usually changes its orientation, and the determinant its sign. Two
-/// such places between the positions are not found. Rows are not exchanged, so a minor of the first rows that vanishes also fails the test.
+/// The test is det(G W G₁ᵀ) > 0 with the gradients G and G₁ at the two positions, and W at `z` and the first time. Each row is divided by its diagonal entry
+/// of G W Gᵀ. If constraints depend on each other between the positions, the space of their gradients usually changes its orientation, and the determinant
+/// its sign. Two such places between the positions are not found. Rows are not exchanged, so a minor of the first rows that vanishes also fails the test.
 ///
 /// # Errors
 /// The formula of the constraint with the vanishing pivot, or of the last constraint if the determinant is negative.

@@ -1,8 +1,8 @@
 //! RATTLE and the plain discrete gradient with constraints, with multipliers μ, f = −∂H/∂q and v = ∂H/∂p. The time of the system's nodes is the middle of the
 //! step.
 //!
-//! - RATTLE: p½ = p₀ + (h/2) f(q₀, p½) + Gᵀ(q₀) μ/h, q₁ = q₀ + (h/2) (v(q₀, p½) + v(q₁, p½)), g(q₁) = 0, p₁ = p½ + (h/2) f(q₁, p½). The runtime then projects p₁
-//!   to the tangent space. (H. C. Andersen 1983; L. O. Jay 1996 for general H.)
+//! - RATTLE: p½ = p₀ + (h/2) f(q₀, p½) + Gᵀ(q₀) μ/h, q₁ = q₀ + (h/2) (v(q₀, p½) + v(q₁, p½)), g(q₁) = 0, p₁ = p½ + (h/2) f(q₁, p½).
+//!   The runtime then projects p₁ to the tangent space. (H. C. Andersen 1983; L. O. Jay 1996 for general H.)
 //! - Discrete gradient: q₁ = q₀ + h v̄, p₁ = p₀ + h f̄ + 2 Āᵀ μ/h, and the condition of each row, with discrete gradients v̄, f̄ and Ā (O. Gonzalez 1999).
 //!   [`Normal`] makes the momenta at its ends tangent.
 //!

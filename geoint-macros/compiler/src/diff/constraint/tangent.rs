@@ -5,8 +5,8 @@
 //! - q₁ − q₀ = h v̄ and P₁ − P₀ = h f̄ + Āᵀλ, with discrete gradients between (q₀, P₀) and (q₁, P₁),
 //! - the condition of each row over the step, and A₁v(q₁, p₁) + b₁ = 0.
 //!
-//! The rows of N are orthonormal in W, up to signs where inertia is negative. Tangent momenta have no part along them, so H(qᵢ, Pᵢ) = H(qᵢ, pᵢ) + |ν|²/2 at both ends. The energy is therefore kept,
-//! although each pᵢ is tangent. The step is symmetric and of order 2, and ν = O(h²).
+//! The rows of N are orthonormal in W, up to signs where inertia is negative. Tangent momenta have no part along them, so H(qᵢ, Pᵢ) = H(qᵢ, pᵢ) + |ν|²/2 at
+//! both ends. The energy is therefore kept, although each pᵢ is tangent. The step is symmetric and of order 2, and ν = O(h²).
 //!
 //! Beside an action, H decays by e^(−hγ), and so must |ν|²: P₁ = p₁ + κN₁ᵀν with κ = e^(−hγ/2). Otherwise κ = 1.
 //!

@@ -1,4 +1,4 @@
-//! Flows of separable energies: kicks, drifts, kicks with force gradients, and kick and drift of contact systems without damping.
+//! Flows of separable energies T + V: kicks, drifts, kicks with force gradients, and for contact systems also kick and drift of the system without its damping.
 
 use super::kind::{Kind, Time};
 use super::{FlowTokens, assign, flow, slots, stepped_as};
@@ -26,11 +26,11 @@ pub(super) const SEPARABLE: Trait = Trait {
     },
 };
 
-/// The property that the kinetic energy is quadratic in momenta.
+/// The property that the kinetic energy is quadratic in momenta, which Runge–Kutta–Nyström tables and force gradients need.
 const QUADRATIC_KINETIC: Trait =
     Trait { name: "QuadraticKinetic", has_proof: true, associated: &[], methods: &[], provided: &[] };
 
-/// Kicks with the gradient of the squared force.
+/// Kicks with the gradient of the squared force. `QuadraticKinetic` has the proof.
 const FORCE_GRADIENT: Trait = Trait {
     name: "ForceGradient",
     has_proof: false,
@@ -57,7 +57,8 @@ const MECHANICAL_CONTACT: Trait = Trait {
     provided: &[],
 };
 
-/// Returns `impl Separable`, `impl QuadraticKinetic`, `impl ForceGradient`, and for contact systems `impl MechanicalContact`.
+/// Returns `impl Separable`, `impl QuadraticKinetic`, `impl ForceGradient`, and for contact systems `impl MechanicalContact`. If the system has no kick and
+/// drift, no scalar satisfies them, and the message states the reason.
 pub(in crate::emit) fn splitting(context: &Context<'_>, found: &Result<KickDrift, Missing>) -> TokenStream {
     match found {
         Ok(flows) => separable(context, flows),
@@ -75,14 +76,16 @@ pub(in crate::emit) fn splitting(context: &Context<'_>, found: &Result<KickDrift
 fn separable(context: &Context<'_>, flows: &KickDrift) -> TokenStream {
     let [kick, drift] = [&flows.kick, &flows.drift].map(|each| flow(context, each));
     let types = [("Kick", kick.prepared.clone()), ("Drift", drift.prepared.clone())];
-    // The flows of systems with an action change it, too.
+    // With an action, flows also change s, and a flow with damping multiplies p and s. The runtime then may not take flows for sums.
     let adds = !context.form.has_action();
+    // A kick holds time fixed. Kicks at the same positions have the same impulse if they read no time.
     let kick_kind = Kind {
         adds,
         time: if flows.kicks_repeat { Time::Unread } else { Time::Frozen },
         shows_domain: flows.kicks_show,
         parts: None,
     };
+    // A drift may integrate over time.
     let drift_kind = Kind {
         adds,
         time: if flows.time_passes_in_drift { Time::Exact } else { Time::Frozen },
@@ -97,6 +100,7 @@ fn separable(context: &Context<'_>, flows: &KickDrift) -> TokenStream {
         .method("prepare_drift", drift.prepare.clone());
     let implementation = moves(moves(implementation, "kick", &kick), "drift", &drift).finish();
     let gradient_kick = match &flows.gradient_kick {
+        // The gradient of the squared force is the force times its derivative, which the kernel of collocation computes.
         Ok(GradientKick::Collocation) => quadratic(
             context,
             quote!((<Self as Collocation<R>>::Constants, [R; 2])),
@@ -127,6 +131,7 @@ fn mechanical(context: &Context<'_>, undamped: &Undamped) -> TokenStream {
     let damping = context.returned(&undamped.damping);
     let own = [&undamped.kick, &undamped.drift].map(|own| own.as_ref().map(|own| flow(context, own)));
     let [kick, drift] = &own;
+    // The type of prepared numbers in signatures.
     let free = |own: &Option<FlowTokens>, name: TokenStream| own.as_ref().map_or(name, |own| own.prepared.clone());
     let types = [("FreeKick", free(kick, quote!(Self::FreeKick))), ("FreeDrift", free(drift, quote!(Self::FreeDrift)))];
     let mut implementation = Implementation::new(context, &MECHANICAL_CONTACT, &types);

@@ -1,4 +1,8 @@
-//! Exact flows of parts of an energy: kick and drift, perturbed systems, pieces, and rigid bodies.
+//! Emits exact flows of parts of an energy: of V and T (kick and drift), of A in A + B (perturbed systems), of the pieces of a sum, and of rigid bodies. The
+//! file
+//! `stepped_as` names the steps of splittings of contact systems.
+//!
+//! A flow computes some numbers once from the parameters and its length. These are the prepared numbers, level 0 of its kernel.
 
 mod bodies;
 mod kick_drift;
@@ -17,12 +21,12 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 pub(super) use stepped_as::stepped_as;
 
-/// Returns the count of the prepared numbers of a flow.
+/// Returns the number of prepared numbers of a flow.
 fn slots(flow: &FlowKernel) -> Literal {
     Literal::usize_unsuffixed(flow.kernel.slots[0])
 }
 
-/// Tokens of a flow.
+/// The emitted code of one flow.
 struct FlowTokens {
     /// The type of the prepared numbers.
     prepared: TokenStream,
@@ -30,7 +34,8 @@ struct FlowTokens {
     prepare: TokenStream,
     /// Body of the function that moves a point.
     flow: TokenStream,
-    /// Body of the function that returns the increments of a point. Absent if the flow only adds to coordinates.
+    /// Body of the function that returns increments, for compensated sums. Absent if the flow only adds to coordinates: the runtime then applies the flow to
+    /// zeros.
     increments: Option<TokenStream>,
 }
 
@@ -45,7 +50,8 @@ fn flow(context: &Context<'_>, flow: &FlowKernel) -> FlowTokens {
     }
 }
 
-/// Returns the body of a function with the increments of a flow from `x`: `d.z[0][i] = …; d.z[1][i] = …; d.s = …;`.
+/// Returns the body of a function with the increments of a flow from `x`: `d.z[0][i] = …; d.z[1][i] = …; d.s = …;`. A system x' = f(x) has one array
+/// of coordinates, `d.z[i]`.
 fn increments(context: &Context<'_>, flow: &FlowKernel) -> TokenStream {
     let (parts, writes) =
         (context.per_coordinate_type(), context.coordinates_written(flow.kernel.routine("increments")));

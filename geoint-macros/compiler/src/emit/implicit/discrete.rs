@@ -1,4 +1,8 @@
-//! The kernels of `DiscreteGradient`, a field in which a discrete gradient with divided differences replaces the gradient, and of `FourthOrder`.
+//! The equations of `DiscreteGradient` and of `FourthOrder(DiscreteGradient)`. Divided differences replace the derivatives of conserved quantities, which the
+//! steps therefore keep. The second method projects a mean velocity of order 4 onto the increments that keep them.
+//!
+//! The unknown is the increment `d` over a step that starts at `y`. In the tables of methods below, `Hint` and `Always` are attributes of inlining, and
+//! `wide` is the layout of a signature.
 
 use super::methods;
 use super::prepared::{Prepared, numbers};
@@ -12,11 +16,12 @@ use crate::schedule::{Kernel, Routine};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-/// The quantities that steps along the discrete gradient keep.
+/// The quantities that steps along the discrete gradient keep, as a type of the runtime. A constant states if they are nowhere steep.
 pub(super) const KEEPING: Trait =
     Trait { name: "Keeping", has_proof: false, associated: &[("Kept", Absent::Unit)], methods: &[], provided: &[] };
 
-/// The equation of a step along the discrete gradient.
+/// The equation of a step along the discrete gradient. `slope` computes the field between `y` and `y + d`, and its derivative by `d`. If momenta alone are
+/// unknown, for H = T(p) + V(q) with a quadratic T, `drift` computes the increments of positions from the sum of the momenta at both ends.
 const DISCRETE_FIELD: Trait = Trait {
     name: "DiscreteField",
     has_proof: true,
@@ -54,6 +59,7 @@ pub(super) fn discrete_field(
     let unknown = array_type(&field.increments.extents);
     let [parameters, start] = [0, 1].map(|level| numbers(kernel, level));
     let drift = context.assigned(kernel.routine("drift"));
+    // The runtime builds the equation from `slope`. Where the macro has a shorter form, it overrides this; the constants of collocation are not needed then.
     let equation = kernel.find("equation").map(|equation| {
         let equation = context.body(equation);
         quote! {
@@ -93,6 +99,7 @@ pub(super) fn discrete_field(
         .items(equation)
         .method("drift", quote!(let mut drift = <#unknown as Array>::zero(); #drift drift))
         .finish();
+    // Beside an entropy, the laws of a step hold forward in time only.
     let solved = match field.forward {
         Some(_) => methods::solved_forward(context, "DiscreteGradient", "TreeStep"),
         None => methods::solved(context, "DiscreteGradient", "TreeStep"),
@@ -100,35 +107,38 @@ pub(super) fn discrete_field(
     quote!(#keeping #implementation #solved)
 }
 
-/// Returns the implementations for a field without conserved quantities. They are true for no scalar, so their use is an error that states the reason.
+/// Returns the implementations for a field without conserved quantities. No scalar satisfies them, so their use is an error that states the reason.
 pub(super) fn nothing_kept(context: &Context<'_>, missing: Missing) -> TokenStream {
     let absent = absent(context, missing, &[&KEEPING, &DISCRETE_FIELD]);
     let unsolved = methods::unsolved(context, missing, "DiscreteGradient", "TreeStep");
     quote!(#absent #unsolved)
 }
 
-/// Returns the implementation of `FourthOrderField` for a system with an entropy, which is true for no scalar: order 4 needs steps back in time, and these
+/// Returns the implementation of `FourthOrderField` for a system with an entropy, which no scalar satisfies: order 4 needs steps back in time, and these
 /// lower the entropy.
 pub(super) fn no_fourth_order(context: &Context<'_>, missing: Missing) -> TokenStream {
     absent(context, missing, &[&FOURTH_ORDER_FIELD])
 }
 
-/// Returns `impl FourthOrderField` for a canonical system without damping. It uses the routines of collocation and of discrete gradients.
+/// Returns `impl FourthOrderField` for a canonical system without damping. It needs no kernel of its own: the runtime
+/// builds it from the routines of collocation and of discrete gradients.
 pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Routine, system: &System) -> TokenStream {
     let autonomous = system.has(Fact::Autonomous);
     let (name, phase, array, parts) =
         (self_type(context), context.phase_type(), context.positions_type(), context.parts());
+    // A conserved momentum has a gradient with an entry for each position and each momentum.
     let count = momenta.nodes().len() / (2 * context.energy.degrees() as usize);
     let columns = Literal::usize_unsuffixed(1 + count);
     let slopes = context.outputs(momenta, |outputs| {
         let written = |values: &Values<'_>| {
             let mut places = values.output.places();
-            // The first entry is the place of the energy, which the runtime knows already.
+            // The runtime writes the gradient of the energy to the first entry.
             places.iter_mut().for_each(|indices| indices[0] += 1);
             write("slopes", &places, &values.all)
         };
         outputs.iter().map(written).collect::<TokenStream>()
     });
+    // Gradients of momenta may nearly depend on each other. The runtime then solves again without the dependent ones.
     let loosen = (count > 0).then(|| {
         quote! {
             #[inline]
@@ -180,7 +190,7 @@ pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Routine, s
     }
 }
 
-/// Returns `impl FourthOrderField` with an equation of its own.
+/// Returns `impl FourthOrderField` for a system that is not canonical, with the equation that was derived for it.
 pub(super) fn fourth_order(context: &Context<'_>, field: &FieldKernels, kernel: &Kernel) -> TokenStream {
     let unknown = array_type(&field.increments.extents);
     let names = [["FourthParameters", "fourth_parameters"], ["FourthStart", "fourth_begin"]];

@@ -1,4 +1,7 @@
 //! Methods of the runtime whose steps are implicit: `impl ImplicitMethod` names the step of a method for the system.
+//!
+//! The macro implements the trait, because the step depends on the structure that it has found. A method that the system lacks has an implementation that no
+//! scalar satisfies, and the message of rustc states the reason.
 
 use crate::derive::Missing;
 use crate::emit::context::Context;
@@ -7,13 +10,13 @@ use crate::emit::structure::self_type;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-/// Returns `impl ImplicitMethod` of a method with one step for the system.
+/// Returns `impl ImplicitMethod` of a method with a step of the given name.
 pub(super) fn solved(context: &Context<'_>, method: &str, step: &str) -> TokenStream {
     let [method, step] = [method, step].map(|name| format_ident!("{name}"));
     Solved::by(method, quote!(#step)).implementation(context)
 }
 
-/// Returns `impl ImplicitMethod` of a method with one step for the system, whose laws hold forward in time only.
+/// Returns `impl ImplicitMethod` of a method whose laws hold forward in time only, as that of an entropy. Its proof excludes compositions with steps back.
 pub(super) fn solved_forward(context: &Context<'_>, method: &str, step: &str) -> TokenStream {
     let [method, step] = [method, step].map(|name| format_ident!("{name}"));
     let runtime = &context.energy.runtime;
@@ -21,14 +24,14 @@ pub(super) fn solved_forward(context: &Context<'_>, method: &str, step: &str) ->
     Solved { proof, ..Solved::by(method, quote!(#step)) }.implementation(context)
 }
 
-/// Returns `impl ImplicitMethod` of a method whose step contains it.
+/// Returns `impl ImplicitMethod` of a method whose step is generic over methods and holds the method: `ContactStep(method)`.
 pub(super) fn solved_by(context: &Context<'_>, method: &str, step: &str) -> TokenStream {
     let [method, step] = [method, step].map(|name| format_ident!("{name}"));
     let (step, value) = (quote!(#step<#method>), quote!(#step(self)));
     Solved { step, ..Solved::by(method, value) }.implementation(context)
 }
 
-/// Returns `impl ImplicitMethod` of a method with Gauss stages, for each number of stages.
+/// Returns `impl ImplicitMethod` of a method with Gauss stages, for each number of stages with a table of Gauss points.
 pub(super) fn collocated(context: &Context<'_>, method: &str, stages: &str) -> TokenStream {
     let [method, stages] = [method, stages].map(|name| format_ident!("{name}"));
     let name = self_type(context);
@@ -46,13 +49,13 @@ pub(super) fn collocated(context: &Context<'_>, method: &str, stages: &str) -> T
     }
 }
 
-/// Returns `impl ImplicitMethod` of a method that is solved as one of its own kind with one stage.
+/// Returns `impl ImplicitMethod` of a method that equals Gauss collocation with one stage, as the midpoint rule does.
 pub(super) fn solved_in_one_stage(context: &Context<'_>, method: &str, stages: &str) -> TokenStream {
     let [method, stages] = [method, stages].map(|name| format_ident!("{name}"));
     Solved { step: quote!(#stages<1>), ..Solved::by(method, quote!(#stages)) }.implementation(context)
 }
 
-/// Returns `impl ImplicitMethod` for no scalar. The message of rustc states what the system lacks.
+/// Returns `impl ImplicitMethod` under a bound that no scalar satisfies. The message of rustc states what the system lacks.
 pub(super) fn unsolved(context: &Context<'_>, missing: Missing, method: &str, step: &str) -> TokenStream {
     let [method, step] = [method, step].map(|name| format_ident!("{name}"));
     let marker = marker(context, missing);
@@ -62,14 +65,14 @@ pub(super) fn unsolved(context: &Context<'_>, missing: Missing, method: &str, st
 
 /// One implementation of `ImplicitMethod`.
 struct Solved {
-    /// The trait without implementations, if the system lacks the step.
+    /// A trait that no scalar implements, if the system lacks the step. Its message is the reason.
     marker: Option<Ident>,
-    /// The type of the proof.
+    /// The proof that the system has what the method needs: `()`, or a type that only some compositions accept.
     proof: TokenStream,
     method: Ident,
     /// The type of the step.
     step: TokenStream,
-    /// The expression of the step.
+    /// The expression that makes the step from `self`, the method.
     value: TokenStream,
 }
 
@@ -79,6 +82,7 @@ impl Solved {
         Solved { marker: None, proof: quote!(()), method, step: step.clone(), value: step }
     }
 
+    /// Returns the tokens.
     fn implementation(self, context: &Context<'_>) -> TokenStream {
         let (name, Solved { marker, proof, method, step, value }) = (self_type(context), self);
         let bound = marker.map(|marker| quote!(+ #marker));

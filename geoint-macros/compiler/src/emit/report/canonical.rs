@@ -1,4 +1,4 @@
-//! Reports H(q, p, t).
+//! Writes the report of a canonical system H(q, p, t), which may have damping and forces.
 
 use super::{Report, friction, lagrangian, pieces, solver};
 use crate::analyze::{MeanValue, Split, Structure};
@@ -7,7 +7,7 @@ use crate::diff::Gradient;
 use crate::ir::{Id, Symbol, print::Printer};
 use crate::parse::Role;
 
-/// Reports the equations, structure, conserved functions, splittings and costs. Only long formulas exceed the width of a terminal.
+/// Reports the equations, structure, conserved functions, splittings and costs. Lines are not wrapped.
 pub(super) fn report(report: &mut Report<'_>, structure: &Structure, gradient: &Gradient, system: &System) {
     let (q, p) = (report.name_of(Role::Position), report.name_of(Role::Momentum));
     writeln!(report, "H = {}", report.formula(structure.energy));
@@ -51,6 +51,7 @@ pub(super) fn report(report: &mut Report<'_>, structure: &Structure, gradient: &
 
     conserved(report, structure);
 
+    // The pieces of `PieceSplitting`, if positions and momenta are coupled.
     for found in &system.pieces {
         writeln!(report, "\nPieces with flows in closed form, in the order of half a step of `PieceSplitting`");
         pieces::of_energy(report, found);
@@ -92,6 +93,7 @@ pub(super) fn report(report: &mut Report<'_>, structure: &Structure, gradient: &
     }
     writeln!(report, "- recomputing what depends on parameters and the step size: prepared once");
     match structure.split {
+        // The lines on friction have said why.
         _ if !structure.conservative() => {}
         Split::Coupled(_) => writeln!(report, "- kick and drift: they do not exist for this H"),
         _ if structure.quadratic_parts().is_none() => {
@@ -160,6 +162,7 @@ fn conserved(report: &mut Report<'_>, structure: &Structure) {
     report.conserved(&lines);
 
     let conservative = structure.conservative();
+    // The heading stands before lines only.
     if !lines.is_empty() || structure.switches || conservative {
         writeln!(report, "\nDiscrete gradients");
     }
@@ -206,8 +209,11 @@ fn mean_value(report: &mut Report<'_>, mean_value: MeanValue) {
     }
 }
 
-/// Returns the formula of a derivative. Cuts a formula that would fill the screen.
+/// Longer formulas would fill the screen.
+const MOST_CHARACTERS: usize = 400;
+
+/// Returns the formula of a derivative, cut if it is long.
 fn formula(report: &Report<'_>, id: Id) -> String {
     let formula = report.formula(id);
-    if formula.chars().count() > 400 { Printer::cut(formula) } else { formula }
+    if formula.chars().count() > MOST_CHARACTERS { Printer::cut(formula) } else { formula }
 }

@@ -167,7 +167,8 @@ fn steps(report: &mut Report<'_>, found: &ConstrainedFindings, system: &System, 
 
     writeln!(report, "\nSkipped");
     if found.structure.reduced().is_some() {
-        writeln!(report, "- momenta as unknowns: T is quadratic, and nothing is damped");
+        let undamped = if found.action.is_none() { ", and nothing is damped" } else { "" };
+        writeln!(report, "- momenta as unknowns: T is quadratic{undamped}");
     }
     writeln!(report, "- other methods: they know no constraints")
 }

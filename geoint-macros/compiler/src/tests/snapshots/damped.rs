@@ -2,10 +2,12 @@
 //!
 //! - ConformalContact
 //! - CotangentSpace
+//! - SteppedAs
 //! - Separable
 //! - QuadraticKinetic
 //! - ForceGradient
 //! - MechanicalContact
+//! - SteppedAs
 //! - ModifiedEnergy
 //! - ContactEquation
 //! - ImplicitMethod
@@ -70,6 +72,7 @@ struct Damped<R = f64> {
 )]
 const _: () = {
     use ::geoint_runtime::private::{
+        ContactLeapfrog, DampedRattle, ExplicitLeapfrog, PieceComposition, SteppedAs,
         MultiplierStep, CanonicalStages, ContactEquation, ContactFieldStages,
         ContactGaussCollocation, ContactStep, FieldStages, GaussCollocation,
         GaussTableau, ImplicitMethod, Keeping, PolarisedStep, TreeStep, VelocityStages,

@@ -92,6 +92,7 @@ pub struct Pendulum<R = f64> {
 )]
 const _: () = {
     use ::geoint_runtime::private::{
+        ContactLeapfrog, DampedRattle, ExplicitLeapfrog, PieceComposition, SteppedAs,
         MultiplierStep, CanonicalStages, ContactEquation, ContactFieldStages,
         ContactGaussCollocation, ContactStep, FieldStages, GaussCollocation,
         GaussTableau, ImplicitMethod, Keeping, PolarisedStep, TreeStep, VelocityStages,
