@@ -21,7 +21,7 @@ fn cooling(q: f64, p: f64, s: f64, k: f64) -> f64 {
 const SYSTEM: Cooling = Cooling { k: 0.3 };
 const START: ContactState<f64> = ContactState { t: 0.0, q: 1.0, p: 1.8, s: 0.0 };
 
-/// E.
+/// Returns E, without the factor f.
 fn pendulum_energy(x: &ContactState<f64>) -> f64 {
     x.p * x.p / 2.0 + 1.0 - x.q.cos()
 }

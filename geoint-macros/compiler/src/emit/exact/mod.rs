@@ -1,6 +1,5 @@
-//! Emits exact flows of parts of an energy: of V and T (kick and drift), of A in A + B (perturbed systems), of the pieces of a sum, and of rigid bodies. The
-//! file
-//! `stepped_as` names the steps of splittings of contact systems.
+//! Emits exact flows of parts of an energy: of V and T (kick and drift), of A in A + B (perturbed systems), of the pieces of a sum, and of rigid bodies.
+//! The file `stepped_as` names the steps of splittings of contact systems.
 //!
 //! A flow computes some numbers once from the parameters and its length. These are the prepared numbers, level 0 of its kernel.
 
