@@ -1,8 +1,13 @@
 //! How does a pendulum cool if both its friction and its speed depend on the action?
 //!
-//! H = E(q, p) f(s) gives q' = f ∂E/∂p and p' = −f ∂E/∂q − E f'(s) p. So f is the rate at which time passes for E, and E f' is the friction. Here f = eᵏˢ. Then
-//! ∂H/∂s = k H, and H itself decays by an exact law: H' = −k H², hence 1/H = 1/H₀ + k t. Both parts, (p²/2) f and V f, have flows in closed form. E loses
-//! k p² E f per unit of time: it only falls, and ever more slowly. Systems that keep a temperature are in the example `sampling`.
+//! The contact Hamiltonian is H = E(q, p) f(s), with the energy E = p²/2 + V(q) of the pendulum and the action s. It gives
+//! q' = f ∂E/∂p and p' = −f ∂E/∂q − E f'(s) p. So f is the speed at which time passes for E, and E f' is the coefficient of friction.
+//!
+//! Here f = eᵏˢ, for two reasons. First, ∂H/∂s = k H, so H itself decays by an exact law: H' = −k H², hence 1/H = 1/H₀ + k t. The errors of steps
+//! are measured against this law. Second, the flows of both parts, (p²/2) f and V f, have closed forms, so a step of a splitting is explicit.
+//!
+//! E obeys E' = −k p² H, so it never grows. Small swings have the mean p² = E. Then E' = −k E H on average, and E decays as H does: as 1/t, ever more
+//! slowly. Systems that keep a temperature are in the example `sampling`.
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, largest, orbit, order, table};
@@ -10,10 +15,10 @@ use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use std::error::Error;
 
-/// H of a pendulum whose energy E is 0 if it hangs at rest. Unit mass, length and gravity.
+/// H = E f. E = 0 if the pendulum hangs at rest. Mass, length and gravity are 1. The method `energy` of `Cooling` returns H.
 #[contact_hamiltonian]
 fn cooling(q: f64, p: f64, s: f64, k: f64) -> f64 {
-    // 2 sin²(q/2) is 1 − cos q without cancellation.
+    // V = 1 − cos q = 2 sin²(q/2). The second form has no cancellation near q = 0.
     let sine = (q / 2.0).sin();
     (p * p / 2.0 + 2.0 * sine * sine) * (k * s).exp()
 }
@@ -21,7 +26,7 @@ fn cooling(q: f64, p: f64, s: f64, k: f64) -> f64 {
 const SYSTEM: Cooling = Cooling { k: 0.3 };
 const START: ContactState<f64> = ContactState { t: 0.0, q: 1.0, p: 1.8, s: 0.0 };
 
-/// Returns E, without the factor f.
+/// Returns E, which is H without the factor f.
 fn pendulum_energy(x: &ContactState<f64>) -> f64 {
     x.p * x.p / 2.0 + 1.0 - x.q.cos()
 }
@@ -44,7 +49,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         (two - 2.0).abs() < 0.1 && (four - 4.0).abs() < 0.3
     })?;
     let states = orbit(SYSTEM, ContactSplitting, 0.1, START, 100.0)?;
-    // E may grow by the error of a step, about h³ = 1e-3.
+    // E' is 0 where p = 0. There the error of a step may let E grow. This error is of order h³ = 1e-3, which sets the tolerance.
     let gains = states.windows(2).filter(|x| pendulum_energy(&x[1]) > pendulum_energy(&x[0]) + 1e-3).count();
     claim("E decays, to the error of a step", gains == 0)?;
 

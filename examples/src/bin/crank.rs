@@ -1,7 +1,10 @@
 //! Which forces act in the bars of a driven linkage, and which torque must its motor give? Both follow from the multipliers.
 //!
-//! The crank's angle is a given function of time. Its end therefore has no coordinates, and the first constraint, the length of the coupler, reads time. The
-//! bars have no mass. The joint C of coupler and rocker carries one, and a pendulum hangs from C. The path of C is known from geometry, an independent check.
+//! A motor turns the crank about (0, 0). The coupler joins the end of the crank to the joint C, and the rocker joins C to a fixed point. The bars have no
+//! mass. C carries one, and a pendulum hangs from C.
+//!
+//! The crank's angle is a given function of time. The end of the crank therefore has no coordinates, and the first constraint, the length of the coupler,
+//! depends on time. Two constraints determine the two coordinates of C. So the path of C follows from geometry, which is an independent check.
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, largest, order, table};
@@ -9,8 +12,10 @@ use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use std::error::Error;
 
-/// Joint C and the mass P of the pendulum. The crank has the angle 0.3 + 2t. `bars` are crank, coupler and rocker; the rocker turns about (d, 0), and the
-/// pendulum has the length l. Each constraint is (distance² − length²)/2, so its multiplier is a force divided by a length.
+/// q is the joint C, then the mass P of the pendulum; m are their masses. The crank has the angle 0.3 + 2t. `bars` are the lengths of crank, coupler and
+/// rocker. The rocker turns about (d, 0). The pendulum has the length l.
+///
+/// Each constraint is (distance² − length²)/2. Its gradient is as long as its bar, so a multiplier is the force in the bar divided by the bar's length.
 #[hamiltonian(constraint = [
     ((q[0] - bars[0] * (0.3 + 2.0 * t).cos()).powi(2) + (q[1] - bars[0] * (0.3 + 2.0 * t).sin()).powi(2)
         - bars[1] * bars[1]) / 2.0,
@@ -30,27 +35,28 @@ const TIME: f64 = 20.0;
 fn main() -> Result<(), Box<dyn Error>> {
     println!("{}", Crank::<f64>::REPORT);
     let path = run(DiscreteGradient, H, TIME)?;
-    let off = largest(path.iter().map(|e| e.off));
+    let deviation = largest(path.iter().map(|x| x.deviation));
     let error = |h: f64| -> Result<f64, StepError> {
-        // The constraints alone determine C. The pendulum is compared with a run of order 8.
+        // The constraints alone determine C, so only P has an error of order 2. The reference is a run of order 8.
         let [end, reference] = [run(DiscreteGradient, h, 2.0)?, run(KahanLi8_17a.of(Rattle), 0.01, 2.0)?]
             .map(|run| run.last().map_or([0.0; 4], |end| end.q));
         Ok((end[2] - reference[2]).hypot(end[3] - reference[3]))
     };
     let (work, gained) = balance(&path);
     let rows = [
-        ["largest distance of C from its path".into(), format!("{off:.1e}")],
-        ["largest force in the coupler, in N".into(), format!("{:.2}", largest(path.iter().map(|e| e.coupler.abs())))],
-        ["largest force in the rocker, in N".into(), format!("{:.2}", largest(path.iter().map(|e| e.rocker.abs())))],
-        ["largest torque of the motor, in N m".into(), format!("{:.2}", largest(path.iter().map(|e| e.torque.abs())))],
+        ["largest distance of C from its path".into(), format!("{deviation:.1e}")],
+        ["largest force in the coupler, in N".into(), format!("{:.2}", largest(path.iter().map(|x| x.coupler.abs())))],
+        ["largest force in the rocker, in N".into(), format!("{:.2}", largest(path.iter().map(|x| x.rocker.abs())))],
+        ["largest torque of the motor, in N m".into(), format!("{:.2}", largest(path.iter().map(|x| x.torque.abs())))],
         ["work of the motor in 20 s, in J".into(), format!("{work:.4}")],
         ["energy gained in 20 s, in J".into(), format!("{gained:.4}")],
     ];
     println!("{}", table(["", "DiscreteGradient, h = 0.01 s"], &rows));
 
-    claim("the joint stays on its path to 1e-14", off < 1e-14)?;
+    // The step solves the constraints to rounding, and they determine C.
+    claim("the joint stays on its path to 1e-14", deviation < 1e-14)?;
     claim("the pendulum has order 2", (order(error(0.02)?, error(0.01)?) - 2.0).abs() < 0.1)?;
-    // The torque is known at the ends of steps only: the trapezoidal rule sets the error.
+    // The torque is known at the ends of steps only. Torques and trapezoidal rule have errors of order h², for which 1 % leaves room.
     claim("the motor's work is the gain of energy to 1 %", (work / gained - 1.0).abs() < 1e-2)?;
     println!();
     draw(&path)
@@ -60,21 +66,23 @@ fn main() -> Result<(), Box<dyn Error>> {
 struct Sample {
     t: f64,
     q: [f64; 4],
-    /// Distance of C from the intersection of two circles.
-    off: f64,
-    /// Forces in bars; a pull is positive.
+    /// Distance of C from its path, known from geometry.
+    deviation: f64,
+    /// Force in the coupler. A pull is positive.
     coupler: f64,
+    /// Force in the rocker. A pull is positive.
     rocker: f64,
-    /// Torque of the motor on the crank.
+    /// Torque of the motor on the crank, positive against the clock.
     torque: f64,
+    /// Energy of both masses. The motor changes it.
     energy: f64,
 }
 
-/// Returns the states of a run, and the forces in each of them. The pendulum starts 0.5 rad from below, and moves with C.
+/// Returns the states of a run from 0 to `time`, with their forces. The pendulum starts 0.5 rad from its lowest position, with the velocity of C.
 fn run<M: Method<Crank>>(method: M, h: f64, time: f64) -> Result<Vec<Sample>, StepError> {
     let [x, y] = joint(0.0);
     let (sin, cos) = 0.5_f64.sin_cos();
-    // The velocity of C, to 1e-8. The state is then moved onto the constraints.
+    // The velocity (u, w) of C by central differences, with an error near 1e-8. `state_on_constraint` removes it.
     let [u, w] = [0, 1].map(|i| (joint(1e-4)[i] - joint(-1e-4)[i]) / 2e-4);
     let [first, second] = LINKAGE.m;
     let near = State::new([x, y, x + 0.7 * sin, y - 0.7 * cos], [first * u, first * w, second * u, second * w]);
@@ -83,12 +91,12 @@ fn run<M: Method<Crank>>(method: M, h: f64, time: f64) -> Result<Vec<Sample>, St
     for _ in 0..=(time / h).round() as u32 {
         let (State { t, q, .. }, [coupler, rocker, _]) = (sim.state(), sim.multipliers());
         let (on_path, crank) = (joint(t), crank_end(t));
-        // The coupler pulls the crank's end towards C, and the motor holds against the torque of this pull.
+        // The coupler pulls the crank's end towards C. The crank has no mass, so the torques of this pull and of the motor add up to 0.
         let pull = [0, 1].map(|i| coupler * (q[i] - crank[i]));
         samples.push(Sample {
             t,
             q,
-            off: (q[0] - on_path[0]).hypot(q[1] - on_path[1]),
+            deviation: (q[0] - on_path[0]).hypot(q[1] - on_path[1]),
             coupler: coupler * LINKAGE.bars[1],
             rocker: rocker * LINKAGE.bars[2],
             torque: crank[1] * pull[0] - crank[0] * pull[1],
@@ -99,34 +107,39 @@ fn run<M: Method<Crank>>(method: M, h: f64, time: f64) -> Result<Vec<Sample>, St
     Ok(samples)
 }
 
-/// The work of the motor by the trapezoidal rule, ½ (τ₀ + τ₁) ω per unit of time with the rate ω = 2 rad/s of the crank, and the gain of energy.
+/// Returns the work of the motor and the gain of energy. A step adds h ω (τ₀ + τ₁)/2 to the work, by the trapezoidal rule. The crank turns with ω = 2 rad/s,
+/// so the factors ω and 1/2 cancel.
 fn balance(path: &[Sample]) -> (f64, f64) {
     let work = path.windows(2).map(|pair| (pair[1].t - pair[0].t) * (pair[0].torque + pair[1].torque));
     let [first, last] = [path.first(), path.last()].map(|sample| sample.map_or(0.0, |sample| sample.energy));
     (work.sum(), last - first)
 }
 
+/// Returns the end of the crank.
 fn crank_end(t: f64) -> [f64; 2] {
     let (sin, cos) = (0.3 + 2.0 * t).sin_cos();
     [LINKAGE.bars[0] * cos, LINKAGE.bars[0] * sin]
 }
 
-/// The joint C: the upper intersection of the circles of coupler and rocker.
+/// Returns the joint C: the upper intersection of two circles, about the end of the crank with the length of the coupler, and about (d, 0) with the length
+/// of the rocker.
 fn joint(t: f64) -> [f64; 2] {
     let [_, coupler, rocker] = LINKAGE.bars;
-    let b = crank_end(t);
-    let e = [LINKAGE.d - b[0], -b[1]];
-    let square = e[0] * e[0] + e[1] * e[1];
+    let end = crank_end(t);
+    // From the centre of the first circle to that of the second. C has the components `along` and `across` in units of this vector.
+    let base = [LINKAGE.d - end[0], -end[1]];
+    let square = base[0] * base[0] + base[1] * base[1];
     let along = ((coupler * coupler - rocker * rocker) / square + 1.0) / 2.0;
     let across = (coupler * coupler / square - along * along).sqrt();
-    [b[0] + along * e[0] - across * e[1], b[1] + along * e[1] + across * e[0]]
+    [end[0] + along * base[0] - across * base[1], end[1] + along * base[1] + across * base[0]]
 }
 
 fn draw(path: &[Sample]) -> Result<(), Box<dyn Error>> {
+    // 1000 steps of 0.01 s are 10 s, about three turns of the crank.
     let turns = &path[..1000.min(path.len())];
     let mut curves = vec![
-        Curve::line("joint C", palette::GREEN, turns.iter().map(|e| (e.q[0], e.q[1])).collect()).width(2.4).solid(),
-        Curve::line("pendulum", palette::BLUE, turns.iter().map(|e| (e.q[2], e.q[3])).collect()).width(1.0).solid(),
+        Curve::line("joint C", palette::GREEN, turns.iter().map(|x| (x.q[0], x.q[1])).collect()).width(2.4).solid(),
+        Curve::line("pendulum", palette::BLUE, turns.iter().map(|x| (x.q[2], x.q[3])).collect()).width(1.0).solid(),
     ];
     let (q, [x, y]) = (path[0].q, crank_end(0.0));
     let bars = vec![(0.0, 0.0), (x, y), (q[0], q[1]), (LINKAGE.d, 0.0)];
@@ -141,16 +154,16 @@ fn draw(path: &[Sample]) -> Result<(), Box<dyn Error>> {
     )
     .equal();
     let forces = vec![
-        Curve::line("coupler", palette::VERMILION, path.iter().map(|e| (e.t, e.coupler)).collect()).solid(),
-        Curve::line("rocker", palette::BLUE, path.iter().map(|e| (e.t, e.rocker)).collect()).solid(),
+        Curve::line("coupler", palette::VERMILION, path.iter().map(|x| (x.t, x.coupler)).collect()).solid(),
+        Curve::line("rocker", palette::BLUE, path.iter().map(|x| (x.t, x.rocker)).collect()).solid(),
     ];
-    let range = |of: fn(&Sample) -> f64| largest(path.iter().map(|e| of(e).abs())).ceil();
-    let most = range(|e| e.coupler).max(range(|e| e.rocker));
-    let bearings = Panel::new(
+    let range = |of: fn(&Sample) -> f64| largest(path.iter().map(|x| of(x).abs())).ceil();
+    let most = range(|x| x.coupler).max(range(|x| x.rocker));
+    let forces = Panel::new(
         "Forces in the bars",
         "from the multipliers of each state; a pull is positive",
         [Axis::linear("time in s", 0.0..TIME), Axis::linear("force in N", -most..most)],
         forces,
     );
-    figure("crank.svg", (4, 3), &[linkage, bearings])
+    figure("crank.svg", (4, 3), &[linkage, forces])
 }

@@ -1,15 +1,16 @@
 //! Can steps of contact flows draw states from a given distribution?
 //!
-//! A thermostat adds a coordinate ξ to q and p, so that the flow keeps the density e^(−βE) f(ξ). For Nosé and Hoover f is a Gaussian, for the logistic
-//! thermostat f = 1/cosh²(ξ/(2Q)) (D. Tapias, A. Bravetti & D. Sanders, Comput. Methods Sci. Technol. 23 (2017) 11). Both are contact flows in another
-//! time (A. Bravetti & D. Tapias, Phys. Rev. E 93 (2016) 022139). Here they are fields x' = X(x), and `lift` makes H = p·X of them; only x matters.
+//! Thermostats. A thermostat adds a coordinate ξ to q and p, so that the flow keeps the density e^(−βE) f(ξ). For Nosé and Hoover f is a Gaussian, for the
+//! logistic thermostat f = 1/cosh²(ξ/(2Q)) (D. Tapias, A. Bravetti & D. Sanders, Comput. Methods Sci. Technol. 23 (2017) 11). Both are contact flows
+//! after a change of time (A. Bravetti & D. Tapias, Phys. Rev. E 93 (2016) 022139). Here they are fields x' = X(x) with x = (q, p, ξ). `lift` accepts
+//! H = P·X, whose flow moves x by X. The momenta P do not act on x and start at 0.
 //!
-//! The macro proves that the exact flow keeps the density. Steps keep it up to O(h²). That one orbit reaches all states is not proven but measured. The
-//! control, Nosé and Hoover's thermostat of an oscillator, does not: its orbits stay on tori.
+//! The macro proves that the exact flow keeps the density. Steps keep it up to O(h²). No proof shows that one orbit reaches all states; means along orbits
+//! are therefore compared with exact ones. The control, Nosé and Hoover's thermostat of an oscillator, fails this test: its orbits stay on tori.
 //!
-//! Tempered trajectories heat a system by friction −a in their first half, and cool it by +a in the second. They thus cross barriers. Their steps multiply
-//! volumes by factors that cancel, and are reversible. So one test makes the distribution exact for every h: accept the end with the probability
-//! min(1, e^(−ΔE)) (R. Neal, Handbook of Markov Chain Monte Carlo, 2011, 5.5.7).
+//! Tempered trajectories. Friction −a in the first half of a trajectory heats the system, so it crosses barriers. Friction +a in the second half cools it
+//! again. Both halves multiply volumes by factors whose product is 1, and the trajectory is reversible. So one test makes the distribution exact for every h:
+//! accept the end with the probability min(1, e^(−ΔE)), where E does not contain the action (R. Neal, Handbook of Markov Chain Monte Carlo, 2011, 5.5.7).
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, largest, table};
@@ -19,7 +20,7 @@ use std::error::Error;
 use std::f64::consts::TAU;
 use std::fmt;
 
-/// The logistic thermostat of the double well V = q⁴/4 − q²/2 with m = β = 1; x is (q, p, ξ), and `width` is Q.
+/// The logistic thermostat of the double well V = q⁴/4 − q²/2 with m = β = 1. x is (q, p, ξ), the argument p is P, and `width` is Q.
 #[contact_hamiltonian(
     lift,
     q = x,
@@ -30,13 +31,14 @@ fn logistic(x: [f64; 3], p: [f64; 3], _s: f64, width: f64) -> f64 {
     p[0] * x[1] + p[1] * (x[0] - x[0].powi(3) + g * x[1]) + p[2] * (x[1] * x[1] - 1.0)
 }
 
-/// Nosé's and Hoover's thermostat of an oscillator; x is (q, p, ξ).
+/// The control, Nosé and Hoover's thermostat of an oscillator with m = β = 1. x is (q, p, ξ), and the argument p is P.
 #[contact_hamiltonian(lift, q = x, measure = (-(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) / 2.0).exp())]
 fn nose_hoover(x: [f64; 3], p: [f64; 3], _s: f64) -> f64 {
     p[0] * x[1] + p[1] * (-x[0] - x[2] * x[1]) + p[2] * (x[1] * x[1] - 1.0)
 }
 
-/// Two wells with a barrier of 8. The friction changes its sign at the time `middle`, which is the end of a step; s is the action.
+/// Two wells with a barrier of 8, and the friction of a tempered trajectory; s is the action. The friction changes its sign at the time `middle`. This is
+/// the end of a step, so both signs never act in one step. The action does not act on q and p, because H is linear in it.
 #[contact_hamiltonian]
 fn tempered(q: f64, p: f64, s: f64, t: f64, a: f64, middle: f64) -> f64 {
     let friction = if t < middle { -a } else { a };
@@ -55,7 +57,7 @@ fn high_barrier(q: f64) -> f64 {
 struct Random(u64);
 
 impl Random {
-    /// Returns a number in (0, 1]. It is never 0, for the logarithm.
+    /// Returns a number in (0, 1]. It is never 0, so it has a logarithm.
     fn uniform(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
@@ -64,7 +66,7 @@ impl Random {
         ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64 + f64::EPSILON / 4.0
     }
 
-    /// Returns a normal number, by G. E. P. Box and M. E. Muller.
+    /// Returns a number with the standard normal distribution, by the transform of Box and Muller.
     fn normal(&mut self) -> f64 {
         (-2.0 * self.uniform().ln()).sqrt() * (TAU * self.uniform()).cos()
     }
@@ -73,6 +75,7 @@ impl Random {
 /// A mean over independent runs.
 struct Estimate {
     mean: f64,
+    /// The standard error of the mean, printed as its error bar.
     error: f64,
 }
 
@@ -96,7 +99,7 @@ impl fmt::Display for Estimate {
     }
 }
 
-/// Returns the integral of e^(−V) times a function, by a sum from −5 to 5. The rest is below rounding.
+/// Returns the integral of e^(−V) times a function, by a sum of spacing 0.001 over [−5, 5). Both tails are below rounding.
 fn integral(potential: fn(f64) -> f64, function: impl Fn(f64) -> f64) -> f64 {
     let points = (-5000..5000).map(|i| f64::from(i) / 1000.0);
     points.map(|q| (-potential(q)).exp() * function(q) / 1000.0).sum()
@@ -112,7 +115,7 @@ const BINS: usize = 50;
 /// Bins divide the positions between −EDGE and EDGE.
 const EDGE: f64 = 2.5;
 
-/// Samples of orbits with the thermostat.
+/// Samples of orbits with the logistic thermostat.
 struct Samples {
     /// The mean of q² in each run.
     squares: Vec<f64>,
@@ -124,7 +127,7 @@ struct Samples {
 
 fn samples(random: &mut Random) -> Result<Samples, StepError> {
     let mut samples = Samples { squares: vec![], fourth_powers: vec![], histogram: [0.0; BINS] };
-    // A sample each 0.05 units of time: 100 units are discarded, 1000 are taken.
+    // A sample is taken every 4 steps, 0.05 units of time. A run discards 2000 samples, 100 units of time, and takes 20 000 samples, 1000 units.
     let (h, every, discarded, taken) = (0.0125, 4, 2000, 20_000);
     for _ in 0..RUNS {
         let start = [random.normal(), random.normal(), 0.0];
@@ -147,15 +150,17 @@ fn samples(random: &mut Random) -> Result<Samples, StepError> {
 
 /// Chains of tempered trajectories.
 struct Chains {
-    /// The fraction of accepted trajectories.
+    /// Accepted trajectories as a fraction of all.
     accepted: f64,
-    /// The fraction of trajectories that end in the other well.
+    /// Accepted trajectories that end in the other well, as a fraction of all.
     changed: f64,
+    /// The mean of q² over all chains.
     square: Estimate,
     /// Positions of the first chain.
     first: Vec<f64>,
 }
 
+/// Runs 200 chains of 2000 trajectories. Each trajectory starts at the last accepted position, with a new random momentum.
 fn chains(a: f64, random: &mut Random) -> Result<Chains, StepError> {
     let (h, steps, runs, length) = (0.05, 40_u32, 200, 2000);
     let system = Tempered { a, middle: h * f64::from(steps / 2) };
@@ -185,7 +190,7 @@ fn chains(a: f64, random: &mut Random) -> Result<Chains, StepError> {
     Ok(Chains { accepted, changed, square: Estimate::of(&squares), first })
 }
 
-/// Returns the points (q, p) of an orbit of the control.
+/// Returns the points (q, p) of an orbit of the control, every 0.1 up to the time 5000.
 fn control(q: f64, p: f64) -> Result<Vec<(f64, f64)>, StepError> {
     let mut sim = NoseHoover.integrator(ContactSplitting, 0.025, ContactState::new([q, p, 0.0], [0.0; 3], 0.0));
     sim.sampled(4).take(50_000).map(|state| state.map(|state| (state.q[0], state.q[1]))).collect()
@@ -196,27 +201,27 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut random = Random(1);
     let samples = samples(&mut random)?;
     let [square, fourth_power] = [&samples.squares, &samples.fourth_powers].map(|values| Estimate::of(values));
-    let [of_square, of_fourth_power] = [2, 4].map(|power| exact(double_well, power));
+    let [exact_square, exact_fourth_power] = [2, 4].map(|power| exact(double_well, power));
     let rows = [
-        ["q²".into(), square.to_string(), format!("{of_square:.4}")],
-        ["q⁴".into(), fourth_power.to_string(), format!("{of_fourth_power:.4}")],
+        ["q²".into(), square.to_string(), format!("{exact_square:.4}")],
+        ["q⁴".into(), fourth_power.to_string(), format!("{exact_fourth_power:.4}")],
     ];
     println!("logistic thermostat of a double well: {RUNS} runs, T = 1000 after 100, h = 0.0125\n");
     println!("{}", table(["mean", "measured", "exact"], &rows));
     claim("q² and q⁴ agree with e^(−V) to three error bars, as measured, not proven", {
-        square.agrees(of_square) && fourth_power.agrees(of_fourth_power)
+        square.agrees(exact_square) && fourth_power.agrees(exact_fourth_power)
     })?;
     let width = 2.0 * EDGE / BINS as f64;
     let bins: Vec<(f64, f64)> =
         (0..BINS).map(|i| ((i as f64 + 0.5) * width - EDGE, samples.histogram[i] / width)).collect();
     let all = integral(double_well, |_| 1.0);
     let density = |q: f64| (-double_well(q)).exp() / all;
-    let off = largest(bins.iter().map(|(q, found)| found - density(*q)));
-    claim(&format!("the histogram differs from e^(−V)/Z by at most {off:.4}"), off < 0.01)?;
+    let deviation = largest(bins.iter().map(|(q, found)| found - density(*q)));
+    claim(&format!("the histogram differs from e^(−V)/Z by at most {deviation:.4}"), deviation < 0.01)?;
 
     let orbits = [control(1.0, 0.0)?, control(0.0, 2.5)?];
     let squares = orbits.each_ref().map(|orbit| orbit.iter().map(|(q, _)| q * q).sum::<f64>() / orbit.len() as f64);
-    // The values of these two tori, by another program.
+    // 0.792 and 0.863 are the means of q² on these two tori, computed by an independent program.
     let [inner, outer] = squares;
     claim(
         &format!("control: Nosé–Hoover stays on tori of the oscillator, q² = {inner:.3} and {outer:.3} instead of 1"),
@@ -228,8 +233,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         let [accepted, changed] = [format!("{:.3}", chains.accepted), format!("{:.1e}", chains.changed)];
         [name.into(), accepted, changed, chains.square.to_string()]
     };
-    let of_barrier = exact(high_barrier, 2);
-    println!("\n400 000 trajectories of 40 steps of 0.05 over a barrier of 8; exactly q² = {of_barrier:.5}\n");
+    let exact_square = exact(high_barrier, 2);
+    println!("\n400 000 trajectories of 40 steps of 0.05 over a barrier of 8; exactly q² = {exact_square:.5}\n");
     let rows = [row("a = 0", &plain), row("a = 1.5", &tempered)];
     println!("{}", table(["friction", "accepted", "well changed", "q²"], &rows));
     claim("tempered trajectories change the well hundreds of times as often", {
@@ -239,10 +244,10 @@ fn main() -> Result<(), Box<dyn Error>> {
             && (plain.changed - 1.8e-4).abs() < 1e-4
             && (tempered.changed - 5.3e-2).abs() < 3e-3
     })?;
-    // Both wells have the same q²: with a = 0 it is right although wells rarely change.
+    // Both wells have the same mean of q². So it is right for a = 0, too, although the well rarely changes.
     claim(
         "q² agrees with e^(−V) to three error bars",
-        plain.square.agrees(of_barrier) && tempered.square.agrees(of_barrier),
+        plain.square.agrees(exact_square) && tempered.square.agrees(exact_square),
     )?;
 
     let curve = (-250..=250).map(|i| f64::from(i) / 100.0).map(|q| (q, density(q))).collect();

@@ -1,28 +1,29 @@
 //! Constraints A(q, t) v + b(q, t) = 0, as of rolling wheels: which of them are rates of functions of positions and time?
 //!
-//! The row (A, b) of a rate is closed: ∂ᵢAⱼ = ∂ⱼAᵢ and ∂ᵢb = ∂ₜAᵢ. By Poincaré's lemma, a closed row is a rate, at least near each point. That a row is
-//! closed is what this file proves.
+//! The row (A, b) of a rate is closed: ∂ᵢAⱼ = ∂ⱼAᵢ and ∂ᵢb = ∂ₜAᵢ. By Poincaré's lemma, a closed row is a rate, at least near each point. The functions
+//! below test whether rows are closed. "Function of positions" includes functions of time here.
 
 use super::identity::{Identity, identity, multiple, vanishes};
 use crate::diff::constraint::Row;
 use crate::diff::jacobian;
 use crate::ir::{Graph, Id, Symbol};
 
-/// What is known about whether constraints of velocities bind positions.
+/// A finding: do constraints of velocities bind positions?
 #[derive(Debug)]
 pub(crate) enum Binding {
-    /// Row i − `factor`·row j is the rate of a function of positions. The function is given if the entries of this row are constant and its b is 0. The
-    /// indices i and j do not count constraints of positions.
+    /// Row i − `factor`·row j is the rate of a function of positions. The function is given if the entries A of this combination are constant and its b
+    /// is 0. The indices i and j count constraints of velocities only.
     Pair { rows: [usize; 2], factor: Id, function: Option<Id> },
-    /// There is one row, and none of its products with a function of positions and time is such a rate (Frobenius).
+    /// There is one row. By Frobenius' theorem, none of its products with a function of positions is a rate.
     Nonholonomic,
-    /// There is one row, and this is not proven.
+    /// There is one row. It is not a rate, but its product with a function of positions may be one.
     Unknown,
-    /// There are several rows, and no pair was found. Factors that move, factors that are sums, and combinations of three rows are not searched.
+    /// There are several rows, and no pair was found. Factors that read positions or time, factors that are sums, and combinations of three rows are not
+    /// searched.
     NoPair,
 }
 
-/// Returns whether a row is the rate of a function of positions.
+/// Returns whether a row is proven to be closed. It is then the rate of a function of positions.
 pub(crate) fn is_rate(graph: &mut Graph, row: &Row) -> bool {
     curl(graph, row).into_iter().all(|entry| vanishes(graph, entry))
 }
@@ -40,8 +41,8 @@ pub(crate) fn integral(graph: &mut Graph, gradient: &[Id], drift: Id) -> Option<
 ///
 /// Beside constraints of positions, a row may be a rate on their surface, although it is none elsewhere. Only pairs are reported then.
 pub(crate) fn bindings(graph: &mut Graph, rows: &[Row]) -> Vec<Binding> {
-    // A row with a value is the rate of a constraint of positions.
     let all = rows.len();
+    // A row with a value is the rate of a constraint of positions.
     let rows: Vec<&Row> = rows.iter().filter(|row| row.value.is_none()).collect();
     let curls: Vec<Vec<Id>> = rows.iter().map(|row| curl(graph, row)).collect();
     let mut found = vec![];
@@ -65,7 +66,7 @@ pub(crate) fn bindings(graph: &mut Graph, rows: &[Row]) -> Vec<Binding> {
     found
 }
 
-/// Returns c with u = c·v for all entries. It must be constant, because d(cα) = c dα holds for constants only: c is a number times powers of parameters.
+/// Returns c with u = c·v for all entries. c is a number times powers of parameters, so it is constant. This is needed: d(cα) = c dα holds for constants.
 fn common_factor(graph: &mut Graph, u: &[Id], v: &[Id]) -> Option<Id> {
     let first = (0..v.len()).find(|k| !graph.is_zero(v[*k]))?;
     let factor = multiple(graph, u[first], v[first])?;
@@ -78,7 +79,7 @@ fn common_factor(graph: &mut Graph, u: &[Id], v: &[Id]) -> Option<Id> {
     Some(factor)
 }
 
-/// Returns all ∂ᵢAⱼ − ∂ⱼAᵢ with i < j. Time is the last coordinate, and b is its entry of A.
+/// Returns all ∂ᵢAⱼ − ∂ⱼAᵢ with i < j, ordered by i, then j. Time is the last coordinate, and b is its entry of A.
 fn curl(graph: &mut Graph, row: &Row) -> Vec<Id> {
     let n = row.gradient.len();
     let symbols: Vec<Symbol> = (0..n as u32).map(Symbol::Position).chain([Symbol::Time]).collect();
@@ -99,13 +100,13 @@ fn curl(graph: &mut Graph, row: &Row) -> Vec<Id> {
 fn is_nonholonomic(graph: &mut Graph, row: &Row, curl: &[Id]) -> bool {
     let n = row.gradient.len() + 1;
     let alpha = [&row.gradient[..], &[row.drift]].concat();
-    // The index in `curl` of its entry for i < j.
+    // The index in `curl` of the entry i < j. The rows before i have (n − 1) + … + (n − i) = i n − i (i + 1)/2 entries.
     let place = |i: usize, j: usize| i * n - i * (i + 1) / 2 + j - i - 1;
     for i in 0..n {
         for j in i + 1..n {
             for k in j + 1..n {
-                let [of_i, of_j, of_k] = [i, j, k].map(|one| alpha[one]);
-                let [d_jk, d_ik, d_ij] = [(j, k), (i, k), (i, j)].map(|(i, j)| curl[place(i, j)]);
+                let [of_i, of_j, of_k] = [i, j, k].map(|index| alpha[index]);
+                let [d_jk, d_ik, d_ij] = [(j, k), (i, k), (i, j)].map(|(row, column)| curl[place(row, column)]);
                 let wedge = graph.build(of_i * d_jk - of_j * d_ik + of_k * d_ij);
                 if matches!(identity(graph, wedge), Identity::Wrong(_)) {
                     return true;

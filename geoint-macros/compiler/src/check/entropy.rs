@@ -1,4 +1,6 @@
-//! Checks the entropy S and the friction M of x' = L ∇E + M ∇S. Other checks look at L, as at every structure matrix, and at M, as at every damping matrix.
+//! Checks the entropy S and the friction M of x' = L ∇E + M ∇S.
+//!
+//! `check::structure` runs before. It checks that L is skew, and that M is symmetric and not known to be indefinite.
 
 use super::wording::{refutation, undecided};
 use crate::analyze::Identity;
@@ -6,11 +8,12 @@ use crate::compilation::Compilation;
 use crate::derive::proof::Entropy;
 use crate::diagnostics::Result;
 
-/// Reports friction that is zero or has M ∇E ≠ 0, and an entropy with L ∇S ≠ 0 or one that reads time. What is not proven is reported, too.
+/// Reports friction with M = 0 or M ∇E ≠ 0, and an entropy that reads time or has L ∇S ≠ 0. An equation M ∇E = 0 or L ∇S = 0 without a proof is an error,
+/// too.
 pub(crate) fn entropy(compilation: &mut Compilation<'_>, found: Option<&Entropy>) -> Result<()> {
     let Some(found @ Entropy { place, .. }) = found else { return Ok(()) };
     let friction = &compilation.energy.options.friction;
-    // A matrix of zeros counts as no friction.
+    // `None` stands for M = 0.
     if found.friction.is_none() {
         compilation.diagnostics.at(friction, "friction is zero, so that the entropy is constant: leave out both");
     }
@@ -35,7 +38,7 @@ pub(crate) fn entropy(compilation: &mut Compilation<'_>, found: Option<&Entropy>
     compilation.checked(())
 }
 
-/// Describes a row that is not zero, or not proven to be.
+/// Describes a row that is not zero, or not proven to be zero.
 fn remaining(compilation: &Compilation<'_>, verdict: &Identity) -> String {
     let printer = compilation.printer();
     match verdict {

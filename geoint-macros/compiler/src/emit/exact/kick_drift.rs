@@ -9,7 +9,9 @@ use crate::emit::signature::{Absent, Trait, methods};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-/// Kick and drift.
+/// Kick and drift. The argument `s or _` has the name `s` in a system with an action, and else `_`.
+///
+/// The provided methods have a default in the runtime: the flow, applied to zeros. A flow that does more than add overrides it.
 pub(super) const SEPARABLE: Trait = Trait {
     name: "Separable",
     has_proof: true,
@@ -26,11 +28,12 @@ pub(super) const SEPARABLE: Trait = Trait {
     },
 };
 
-/// The property that the kinetic energy is quadratic in momenta, which Runge–Kutta–Nyström tables and force gradients need.
+/// The property that T is quadratic in the momenta, with a constant mass matrix M. Without it, Runge–Kutta–Nyström tables lose their order, and the bracket
+/// \[V, \[T, V\]\] = F·M⁻¹F of a force gradient depends on momenta, so that its flow is no kick.
 const QUADRATIC_KINETIC: Trait =
     Trait { name: "QuadraticKinetic", has_proof: true, associated: &[], methods: &[], provided: &[] };
 
-/// Kicks with the gradient of the squared force. `QuadraticKinetic` has the proof.
+/// Kicks with a force gradient, the gradient of F·M⁻¹F for the force F. The supertrait `QuadraticKinetic` has the proof.
 const FORCE_GRADIENT: Trait = Trait {
     name: "ForceGradient",
     has_proof: false,
@@ -58,11 +61,12 @@ const MECHANICAL_CONTACT: Trait = Trait {
 };
 
 /// Returns `impl Separable`, `impl QuadraticKinetic`, `impl ForceGradient`, and for contact systems `impl MechanicalContact`. If the system has no kick and
-/// drift, no scalar satisfies them, and the message states the reason.
+/// drift, no scalar satisfies them, so that their use is a compile error that states the reason.
 pub(in crate::emit) fn splitting(context: &Context<'_>, found: &Result<KickDrift, Missing>) -> TokenStream {
     match found {
         Ok(flows) => separable(context, flows),
         Err(missing) if context.form.has_action() => {
+            // `ContactLeapfrog` needs kick and drift without damping, so it is absent for the same reason.
             let stepped = stepped_as(context, "ContactLeapfrog", &quote!(ExplicitLeapfrog), Some(*missing));
             let absent =
                 absent(context, *missing, &[&SEPARABLE, &QUADRATIC_KINETIC, &FORCE_GRADIENT, &MECHANICAL_CONTACT]);
@@ -76,16 +80,20 @@ pub(in crate::emit) fn splitting(context: &Context<'_>, found: &Result<KickDrift
 fn separable(context: &Context<'_>, flows: &KickDrift) -> TokenStream {
     let [kick, drift] = [&flows.kick, &flows.drift].map(|each| flow(context, each));
     let types = [("Kick", kick.prepared.clone()), ("Drift", drift.prepared.clone())];
-    // With an action, flows also change s, and a flow with damping multiplies p and s. The runtime then may not take flows for sums.
+    // With an action, flows also change s, and a flow with damping multiplies p and s. They do more than add to one
+    // array, so a compensated sum takes their increments.
     let adds = !context.form.has_action();
-    // A kick holds time fixed. Kicks at the same positions have the same impulse if they read no time.
+    // A kick is the flow of V at frozen time. If neither T nor V reads time, the last kick of a step and the first kick of the next step have the same
+    // impulse, and the runtime may compute it once. If a kick outside the domain of the energy makes momenta non-finite, and a step ends with a kick, the
+    // runtime omits the test of the domain.
     let kick_kind = Kind {
         adds,
         time: if flows.kicks_repeat { Time::Unread } else { Time::Frozen },
         shows_domain: flows.kicks_show,
         parts: None,
     };
-    // A drift may integrate over time.
+    // A drift that is exact in time starts at the time that drifts have reached. Otherwise it is the flow of T at the time that kicks have reached. The
+    // runtime reads `shows_domain` of kicks only.
     let drift_kind = Kind {
         adds,
         time: if flows.time_passes_in_drift { Time::Exact } else { Time::Frozen },
@@ -100,7 +108,8 @@ fn separable(context: &Context<'_>, flows: &KickDrift) -> TokenStream {
         .method("prepare_drift", drift.prepare.clone());
     let implementation = moves(moves(implementation, "kick", &kick), "drift", &drift).finish();
     let gradient_kick = match &flows.gradient_kick {
-        // The gradient of the squared force is the force times its derivative, which the kernel of collocation computes.
+        // The force gradient is 2 ∂F/∂q·M⁻¹F. The kernel of collocation has F and ∂F/∂q. With few degrees of freedom, a kernel for their product alone would
+        // hardly be shorter, so the runtime's function `gradient_kick` uses that kernel, and users compile less code.
         Ok(GradientKick::Collocation) => quadratic(
             context,
             quote!((<Self as Collocation<R>>::Constants, [R; 2])),
@@ -117,7 +126,7 @@ fn separable(context: &Context<'_>, flows: &KickDrift) -> TokenStream {
     quote!(#implementation #gradient_kick #mechanical)
 }
 
-/// Adds the methods of a flow to an implementation.
+/// Adds the methods of a flow to an implementation: `name` moves a point, `name_increments` returns its increments, if they have a kernel.
 pub(super) fn moves<'a>(implementation: Implementation<'a>, name: &str, flow: &FlowTokens) -> Implementation<'a> {
     let implementation = implementation.method(name, flow.flow.clone());
     match &flow.increments {
@@ -126,14 +135,16 @@ pub(super) fn moves<'a>(implementation: Implementation<'a>, name: &str, flow: &F
     }
 }
 
-/// Returns `impl MechanicalContact` and the steps of `ContactLeapfrog`. A kick or drift that the damping does not change is the kick or drift of `Separable`.
+/// Returns `impl MechanicalContact` and the steps of `ContactLeapfrog`. That method damps by factors of its own, so it needs the flows of T and V alone, at
+/// frozen time. A kick or drift that equals the one of `Separable` gets no kernel of its own, and calls that one.
 fn mechanical(context: &Context<'_>, undamped: &Undamped) -> TokenStream {
     let damping = context.returned(&undamped.damping);
-    let own = [&undamped.kick, &undamped.drift].map(|own| own.as_ref().map(|own| flow(context, own)));
-    let [kick, drift] = &own;
-    // The type of prepared numbers in signatures.
-    let free = |own: &Option<FlowTokens>, name: TokenStream| own.as_ref().map_or(name, |own| own.prepared.clone());
-    let types = [("FreeKick", free(kick, quote!(Self::FreeKick))), ("FreeDrift", free(drift, quote!(Self::FreeDrift)))];
+    let [kick, drift] =
+        &[&undamped.kick, &undamped.drift].map(|found| found.as_ref().map(|found| flow(context, found)));
+    // The type of the prepared numbers in signatures.
+    let numbers = |own: &Option<FlowTokens>, name: TokenStream| own.as_ref().map_or(name, |own| own.prepared.clone());
+    let types =
+        [("FreeKick", numbers(kick, quote!(Self::FreeKick))), ("FreeDrift", numbers(drift, quote!(Self::FreeDrift)))];
     let mut implementation = Implementation::new(context, &MECHANICAL_CONTACT, &types);
     for (own, ty, name) in [(kick, "Kick", "kick"), (drift, "Drift", "drift")] {
         let [ty, free_type] = [format_ident!("{ty}"), format_ident!("Free{ty}")];
@@ -155,7 +166,8 @@ fn mechanical(context: &Context<'_>, undamped: &Undamped) -> TokenStream {
     quote!(#implementation #stepped)
 }
 
-/// Returns `impl QuadraticKinetic` and `impl ForceGradient`, from the type of the numbers for a kick, their computation, and the kick.
+/// Returns `impl QuadraticKinetic` and `impl ForceGradient`: `prepared` is the type of the prepared numbers of a kick with a force gradient, `prepare` computes
+/// them, and `body` applies the kick.
 pub(super) fn quadratic(
     context: &Context<'_>,
     prepared: TokenStream,

@@ -1,7 +1,10 @@
-//! Emits exact flows of parts of an energy: of V and T (kick and drift), of A in A + B (perturbed systems), of the pieces of a sum, and of rigid bodies.
-//! The file `stepped_as` names the steps of splittings of contact systems.
+//! Emits exact flows of parts of an energy: of V (kick) and T (drift), of both parts of A + B (perturbed systems), of the pieces of a sum, and of rigid
+//! bodies. The file `stepped_as` names the steps of splittings of contact systems.
 //!
-//! A flow computes some numbers once from the parameters and its length. These are the prepared numbers, level 0 of its kernel.
+//! A flow computes some numbers once, before the first step, from the parameters and its length. These are the prepared numbers, level 0 of its kernel.
+//!
+//! Each flow moves a point in place. A run with compensated sums needs the increment of every coordinate instead, because it carries
+//! the rounding error of each sum.
 
 mod bodies;
 mod kick_drift;
@@ -33,8 +36,8 @@ struct FlowTokens {
     prepare: TokenStream,
     /// Body of the function that moves a point.
     flow: TokenStream,
-    /// Body of the function that returns increments, for compensated sums. Absent if the flow only adds to coordinates: the runtime then applies the flow to
-    /// zeros.
+    /// Body of the function that returns the increments of a point, for compensated sums. Absent if the flow only adds to positions, or only to momenta: the
+    /// default of the runtime's trait applies such a flow to zeros.
     increments: Option<TokenStream>,
 }
 
@@ -63,7 +66,7 @@ fn increments(context: &Context<'_>, flow: &FlowKernel) -> TokenStream {
     }
 }
 
-/// Returns the statements that move a point: `q[i] = …; p[i] = …; *s = …;`.
+/// Returns the statements that assign the new values of the coordinates that a flow changes: `q[i] = …; p[i] = …; *s = …;`.
 fn assign(context: &Context<'_>, flow: &FlowKernel) -> TokenStream {
     context.coordinates_written(flow.kernel.routine("end"))
 }

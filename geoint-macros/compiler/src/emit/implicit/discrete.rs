@@ -1,8 +1,10 @@
 //! The equations of `DiscreteGradient` and of `FourthOrder(DiscreteGradient)`. Divided differences replace the derivatives of conserved quantities, which the
 //! steps therefore keep. The second method projects a mean velocity of order 4 onto the increments that keep them.
 //!
-//! The unknown is the increment `d` over a step that starts at `y`. In the tables of methods below, `Hint` and `Always` are attributes of inlining, and
-//! `wide` is the layout of a signature.
+//! A step starts at `y` and adds the increment `d`. The unknown is `d`. In a system of second order (H = T(p) + V(q) with a quadratic T, neither damping nor
+//! forces) y = q, the unknown is the impulse u of the momenta, and d = h ∂T/∂p(p + u/2).
+//!
+//! In the tables of methods, `Hint` is `#[inline]`, `Always` is `#[inline(always)]`, and `wide` writes a comma after the last argument.
 
 use super::methods;
 use super::prepared::{Prepared, numbers};
@@ -16,12 +18,16 @@ use crate::schedule::{Kernel, Routine};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-/// The quantities that steps along the discrete gradient keep, as a type of the runtime. A constant states if they are nowhere steep.
+/// The set of quantities that steps along the discrete gradient keep: the type `Kept`. A run removes the drift that rounding causes in them.
+///
+/// The constant `STEEP` is `true` by default. If a step makes a coordinate much smaller, the rounding error of its earlier size remains. An integral is steep
+/// if this error times its derivative may exceed the rounding of the integral. For integrals that are nowhere steep the constant is `false`, and the runtime
+/// omits a check. The runtime's trait has no type `Proof`.
 pub(super) const KEEPING: Trait =
     Trait { name: "Keeping", has_proof: false, associated: &[("Kept", Absent::Unit)], methods: &[], provided: &[] };
 
-/// The equation of a step along the discrete gradient. `slope` computes the field between `y` and `y + d`, and its derivative by `d`. If momenta alone are
-/// unknown, for H = T(p) + V(q) with a quadratic T, `drift` computes the increments of positions from the sum of the momenta at both ends.
+/// The equation of a step along the discrete gradient. `slope` computes f̄, the field with a discrete gradient between `y` and `y + d`, into `f`, and ∂f̄/∂d
+/// into `jacobian`. In a system of second order, `drift` returns h ∂T/∂p((p₀ + p₁)/2) from `sum` = p₀ + p₁. In other systems it returns zero and is not called.
 const DISCRETE_FIELD: Trait = Trait {
     name: "DiscreteField",
     has_proof: true,
@@ -35,7 +41,7 @@ const DISCRETE_FIELD: Trait = Trait {
     provided: &[],
 };
 
-/// The equation of a step of order 4.
+/// The equation of a step of order 4. `fourth_slope` computes h·f̄ into `image`, for the projected mean velocity f̄, and 1 − ∂(h·f̄)/∂d into `matrix`.
 const FOURTH_ORDER_FIELD: Trait = Trait {
     name: "FourthOrderField",
     has_proof: true,
@@ -48,7 +54,7 @@ const FOURTH_ORDER_FIELD: Trait = Trait {
     provided: &[],
 };
 
-/// Returns `impl Keeping` and `impl DiscreteField`, and the step of `DiscreteGradient`.
+/// Returns `impl Keeping` and `impl DiscreteField`, and names `TreeStep` of the runtime as the step of `DiscreteGradient`.
 pub(super) fn discrete_field(
     context: &Context<'_>,
     field: &FieldKernels,
@@ -59,7 +65,8 @@ pub(super) fn discrete_field(
     let unknown = array_type(&field.increments.extents);
     let [parameters, start] = [0, 1].map(|level| numbers(kernel, level));
     let drift = context.assigned(kernel.routine("drift"));
-    // The runtime builds the equation from `slope`. Where the macro has a shorter form, it overrides this; the constants of collocation are not needed then.
+    // By default the runtime builds the equation from `slope`, h and the constants of collocation. The kernel of a small system overrides this function. It
+    // ignores the first argument, because h and the masses are in its prepared numbers.
     let equation = kernel.find("equation").map(|equation| {
         let equation = context.body(equation);
         quote! {
@@ -99,7 +106,7 @@ pub(super) fn discrete_field(
         .items(equation)
         .method("drift", quote!(let mut drift = <#unknown as Array>::zero(); #drift drift))
         .finish();
-    // Beside an entropy, the laws of a step hold forward in time only.
+    // With an entropy, a step of negative length may lower the entropy. The proof of this implementation excludes compositions with such steps.
     let solved = match field.forward {
         Some(_) => methods::solved_forward(context, "DiscreteGradient", "TreeStep"),
         None => methods::solved(context, "DiscreteGradient", "TreeStep"),
@@ -114,31 +121,32 @@ pub(super) fn nothing_kept(context: &Context<'_>, missing: Missing) -> TokenStre
     quote!(#absent #unsolved)
 }
 
-/// Returns the implementation of `FourthOrderField` for a system with an entropy, which no scalar satisfies: order 4 needs steps back in time, and these
-/// lower the entropy.
+/// Returns the implementation of `FourthOrderField` for a system with an entropy. No scalar satisfies it, because a step of order 4 may lower the entropy. Its
+/// use is a compile error that states this reason.
 pub(super) fn no_fourth_order(context: &Context<'_>, missing: Missing) -> TokenStream {
     absent(context, missing, &[&FOURTH_ORDER_FIELD])
 }
 
-/// Returns `impl FourthOrderField` for a canonical system without damping. It needs no kernel of its own: the runtime
-/// builds it from the routines of collocation and of discrete gradients.
+/// Returns `impl FourthOrderField` for a canonical system without damping and forces. It needs no kernel of its own: the runtime's module `fourth_order` builds
+/// the equation from the kernels of collocation and of discrete gradients, and from the gradients of `momenta`. The module is not the function of this file.
 pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Routine, system: &System) -> TokenStream {
     let autonomous = system.has(Fact::Autonomous);
     let (name, phase, array, parts) =
         (self_type(context), context.phase_type(), context.positions_type(), context.parts());
-    // A conserved momentum has a gradient with an entry for each position and each momentum.
+    // The gradient of one conserved momentum has 2n entries with n degrees of freedom: one for each position and each momentum.
     let count = momenta.nodes().len() / (2 * context.energy.degrees() as usize);
     let columns = Literal::usize_unsuffixed(1 + count);
     let slopes = context.outputs(momenta, |outputs| {
         let written = |values: &Values<'_>| {
             let mut places = values.output.places();
-            // The runtime writes the gradient of the energy to the first entry.
+            // The first entry is the place of the gradient of the energy. The runtime writes it, so momenta start at the second entry.
             places.iter_mut().for_each(|indices| indices[0] += 1);
             write("slopes", &places, &values.all)
         };
         outputs.iter().map(written).collect::<TokenStream>()
     });
-    // Gradients of momenta may nearly depend on each other. The runtime then solves again without the dependent ones.
+    // The gradient of a momentum may nearly depend on those before it, so that the projection is nearly singular. `loosen` excludes such momenta, and the
+    // runtime solves again. Without momenta, the default returns `false`: there is nothing to exclude.
     let loosen = (count > 0).then(|| {
         quote! {
             #[inline]
@@ -190,7 +198,7 @@ pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Routine, s
     }
 }
 
-/// Returns `impl FourthOrderField` for a system that is not canonical, with the equation that was derived for it.
+/// Returns `impl FourthOrderField` for a field x' = f(x, t) with integrals and without an entropy. The kernel has the equation of the whole step.
 pub(super) fn fourth_order(context: &Context<'_>, field: &FieldKernels, kernel: &Kernel) -> TokenStream {
     let unknown = array_type(&field.increments.extents);
     let names = [["FourthParameters", "fourth_parameters"], ["FourthStart", "fourth_begin"]];

@@ -1,7 +1,7 @@
 //! Methods of the runtime whose steps are implicit: `impl ImplicitMethod` names the step of a method for the system.
 //!
-//! The macro implements the trait, because the step depends on the structure that it has found. A method that the system lacks has an implementation that no
-//! scalar satisfies, and the message of rustc states the reason.
+//! The macro implements the trait for each system, because the step depends on the structure that it has found. A method that the system lacks may have an
+//! implementation that no scalar satisfies. Its use is a compile error, and the message of rustc states the reason.
 
 use crate::derive::Missing;
 use crate::emit::context::Context;
@@ -10,13 +10,14 @@ use crate::emit::structure::self_type;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-/// Returns `impl ImplicitMethod` of a method with a step of the given name.
+/// Returns `impl ImplicitMethod` of a method whose step is the unit struct `step`.
 pub(super) fn solved(context: &Context<'_>, method: &str, step: &str) -> TokenStream {
     let [method, step] = [method, step].map(|name| format_ident!("{name}"));
     Solved::by(method, quote!(#step)).implementation(context)
 }
 
-/// Returns `impl ImplicitMethod` of a method whose laws hold forward in time only, as that of an entropy. Its proof excludes compositions with steps back.
+/// Returns `impl ImplicitMethod` of a method whose laws hold forward in time only: for h > 0 the entropy never falls. The proof `ForwardInTime` excludes the
+/// method from compositions of order 4 and more, because some of their steps lead back in time.
 pub(super) fn solved_forward(context: &Context<'_>, method: &str, step: &str) -> TokenStream {
     let [method, step] = [method, step].map(|name| format_ident!("{name}"));
     let runtime = &context.energy.runtime;
@@ -24,7 +25,7 @@ pub(super) fn solved_forward(context: &Context<'_>, method: &str, step: &str) ->
     Solved { proof, ..Solved::by(method, quote!(#step)) }.implementation(context)
 }
 
-/// Returns `impl ImplicitMethod` of a method whose step is generic over methods and holds the method: `ContactStep(method)`.
+/// Returns `impl ImplicitMethod` of a method whose step is generic over methods and holds the method: `ContactStep(self)`.
 pub(super) fn solved_by(context: &Context<'_>, method: &str, step: &str) -> TokenStream {
     let [method, step] = [method, step].map(|name| format_ident!("{name}"));
     let (step, value) = (quote!(#step<#method>), quote!(#step(self)));
@@ -49,7 +50,8 @@ pub(super) fn collocated(context: &Context<'_>, method: &str, stages: &str) -> T
     }
 }
 
-/// Returns `impl ImplicitMethod` of a method that equals Gauss collocation with one stage, as the midpoint rule does.
+/// Returns `impl ImplicitMethod` of a method that equals Gauss collocation with one stage: `ContactMidpoint`. For `ImplicitMidpoint` the runtime has such an
+/// implementation.
 pub(super) fn solved_in_one_stage(context: &Context<'_>, method: &str, stages: &str) -> TokenStream {
     let [method, stages] = [method, stages].map(|name| format_ident!("{name}"));
     Solved { step: quote!(#stages<1>), ..Solved::by(method, quote!(#stages)) }.implementation(context)
@@ -67,8 +69,10 @@ pub(super) fn unsolved(context: &Context<'_>, missing: Missing, method: &str, st
 struct Solved {
     /// A trait that no scalar implements, if the system lacks the step. Its message is the reason.
     marker: Option<Ident>,
-    /// The proof that the system has what the method needs: `()`, or a type that only some compositions accept.
+    /// The proof that the system has the properties that the method needs: `()`, `ForwardInTime` (not for compositions with steps back in time), or, if the
+    /// system lacks the step, a type of the marker that stays unknown.
     proof: TokenStream,
+    /// The type of the method.
     method: Ident,
     /// The type of the step.
     step: TokenStream,
@@ -77,12 +81,12 @@ struct Solved {
 }
 
 impl Solved {
-    /// Returns the implementation of a method with a step of the given name.
+    /// Returns the implementation of a method whose step is a unit struct, so that its name is both its type and its value.
     fn by(method: Ident, step: TokenStream) -> Solved {
         Solved { marker: None, proof: quote!(()), method, step: step.clone(), value: step }
     }
 
-    /// Returns the tokens.
+    /// Returns the tokens of the implementation.
     fn implementation(self, context: &Context<'_>) -> TokenStream {
         let (name, Solved { marker, proof, method, step, value }) = (self_type(context), self);
         let bound = marker.map(|marker| quote!(+ #marker));

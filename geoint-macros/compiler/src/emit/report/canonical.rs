@@ -7,7 +7,7 @@ use crate::diff::Gradient;
 use crate::ir::{Id, Symbol, print::Printer};
 use crate::parse::Role;
 
-/// Reports the equations, structure, conserved functions, splittings and costs. Lines are not wrapped.
+/// Reports the equations, structure, conserved functions, splittings and costs. Lines are not wrapped. Long derivatives and terms are cut.
 pub(super) fn report(report: &mut Report<'_>, structure: &Structure, gradient: &Gradient, system: &System) {
     let (q, p) = (report.name_of(Role::Position), report.name_of(Role::Momentum));
     writeln!(report, "H = {}", report.formula(structure.energy));
@@ -51,7 +51,8 @@ pub(super) fn report(report: &mut Report<'_>, structure: &Structure, gradient: &
 
     conserved(report, structure);
 
-    // The pieces of `PieceSplitting`, if positions and momenta are coupled.
+    // At most one splitting: `PieceSplitting`, if positions and momenta are coupled or the user gave groups of terms. A step applies the pieces in this order
+    // with h/2, and then in reverse order, so that the two flows of the last piece are one flow of length h.
     for found in &system.pieces {
         writeln!(report, "\nPieces with flows in closed form, in the order of half a step of `PieceSplitting`");
         pieces::of_energy(report, found);
@@ -85,6 +86,7 @@ pub(super) fn report(report: &mut Report<'_>, structure: &Structure, gradient: &
     if structure.reduced().is_some() {
         writeln!(report, "- half of the unknowns of implicit methods: T is quadratic");
     }
+    // Stronger than `autonomous`: damping and forces do not read time either.
     if structure.timeless() {
         writeln!(report, "- the clock: H does not depend on time");
     }
@@ -93,7 +95,7 @@ pub(super) fn report(report: &mut Report<'_>, structure: &Structure, gradient: &
     }
     writeln!(report, "- recomputing what depends on parameters and the step size: prepared once");
     match structure.split {
-        // The lines on friction have said why.
+        // The sections on damping and forces have stated that kick and drift do not exist.
         _ if !structure.conservative() => {}
         Split::Coupled(_) => writeln!(report, "- kick and drift: they do not exist for this H"),
         _ if structure.quadratic_parts().is_none() => {
@@ -135,6 +137,7 @@ fn perturbed(report: &mut Report<'_>, parts: &Perturbed) {
 /// Reports the costs of implicit steps, and their solver.
 fn implicit(report: &mut Report<'_>, field: &FieldKernels) {
     writeln!(report, "- stage of a Newton iteration of collocation: {}", field.collocation.kernel.operations());
+    // Invariant: every canonical system has a discrete gradient. The condition is for fields, which may keep nothing, and share this struct.
     if let Some(discrete) = &field.discrete {
         writeln!(report, "- Newton iteration of the discrete gradient: {}", discrete.operations());
     }
@@ -162,7 +165,7 @@ fn conserved(report: &mut Report<'_>, structure: &Structure) {
     report.conserved(&lines);
 
     let conservative = structure.conservative();
-    // The heading stands before lines only.
+    // The heading needs at least one of the lines below: each term of this condition is the condition of one of them.
     if !lines.is_empty() || structure.switches || conservative {
         writeln!(report, "\nDiscrete gradients");
     }
@@ -209,10 +212,10 @@ fn mean_value(report: &mut Report<'_>, mean_value: MeanValue) {
     }
 }
 
-/// Longer formulas would fill the screen.
+/// The largest number of characters of a derivative that is printed whole. A longer formula would fill the screen.
 const MOST_CHARACTERS: usize = 400;
 
-/// Returns the formula of a derivative, cut if it is long.
+/// Returns the formula of a derivative. Cuts it to the length of a message if it has more than [`MOST_CHARACTERS`].
 fn formula(report: &Report<'_>, id: Id) -> String {
     let formula = report.formula(id);
     if formula.chars().count() > MOST_CHARACTERS { Printer::cut(formula) } else { formula }
