@@ -367,6 +367,10 @@ fn friction_that_is_strong_or_negative() -> Result<(), StepError> {
     let energy = sim.energy();
     sim.advance(100)?;
     assert!((sim.energy() / energy / 0.2_f64.exp() - 1.0).abs() < 1e-13);
+    // Back in time through strong friction there is no step that is continuous in h, beyond hγ = −2.
+    for (h, steps) in [(-0.06, true), (-0.07, false)] {
+        assert_eq!(strong.integrator(ContactDiscreteGradient, h, start_in(SI)).step().is_ok(), steps, "{h}");
+    }
     for gamma in [-3.0, 0.0, 0.3, 30.0] {
         for h in [0.3, 1.0, 10.0, -1.0] {
             let system = slowed_in(SI, gamma);
@@ -416,6 +420,7 @@ fn a_start_off_the_constraint() -> Result<(), StepError> {
     }
     every!(refuses);
     let near = system.state_on_constraint(&longer)?;
+    assert!(system.state_on_constraint(&ContactState { s: f64::NAN, ..start }).is_err());
     assert!(near.s == longer.s && apart(&near, &start)[0] < 2e-9);
     system.integrator(ContactSplitting, 0.01, near).step()?;
     Ok(())

@@ -4,6 +4,7 @@ use super::pace::Pace;
 use super::{Run, StepError};
 use crate::running::error::not_finite;
 use crate::scalar::{Real, signed};
+use crate::space::state::Action;
 use crate::space::{Array, Snapshot};
 use crate::system::{Constrained, StateOf, projected};
 
@@ -18,6 +19,9 @@ pub fn state_on_constraint<S: Constrained<R>, R: Real>(
 ) -> Result<StateOf<S, R>, StepError> {
     let (t, z, s) = state.parts();
     let error = |failure| StepError::without_step(failure, signed(t));
+    if !s.is_finite() {
+        return Err(error(not_finite::<S, R>(t, &z)));
+    }
     let projected = if z.is_finite() { projected(system, t, &z).map_err(error)? } else { z };
     if !projected.is_finite() {
         return Err(error(not_finite::<S, R>(t, &z)));

@@ -69,7 +69,8 @@ fn report(compilation: &mut Compilation<'_>, constraint: Id, place: Place, why: 
 fn of_positions(compilation: &Compilation<'_>, constraint: Id) -> Option<String> {
     let reads = compilation.graph.reads(constraint);
     match compilation.energy.form {
-        Form::Lagrangian | Form::Herglotz if reads.v => Some(nonholonomic("velocities")),
+        form if form.has_action() && (reads.p || reads.v) => Some(BESIDE_ACTION.into()),
+        Form::Lagrangian if reads.v => Some(nonholonomic("velocities")),
         _ if reads.p || reads.v => Some(nonholonomic("momenta")),
         _ if reads.s => Some("a constraint is a function of positions and time, and this one reads the action".into()),
         _ if !reads.q => Some("this constraint reads no position".into()),
@@ -136,6 +137,8 @@ fn independent(compilation: &mut Compilation<'_>, terms: &Terms) {
         compilation.diagnostics.at_place(place, message);
     }
 }
+
+const BESIDE_ACTION: &str = "beside an action, a constraint is a function of positions and time: if this is the rate of such a function, write that";
 
 const FRICTION_OF_TIME: &str =
     "beside constraints the action is read by one term, γ(t)·s, and this term has another form";

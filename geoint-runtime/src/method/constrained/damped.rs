@@ -10,7 +10,7 @@ use crate::method::{Claims, Name};
 use crate::scalar::Real;
 use crate::system::ConstrainedStep;
 
-/// The steps of the splitting `M` beside constraints g(q, t) = 0: D₁ ∘ [`Rattle`](crate::Rattle) ∘ D₀ for H = H₀(q, p, t) + γ(t)·s.
+/// What the steps of the splitting `M` become if the system has constraints g(q, t) = 0: D₁ ∘ [`Rattle`](crate::Rattle) ∘ D₀ for H = H₀(q, p, t) + γ(t)·s.
 ///
 /// RATTLE solves H₀. It adds p̄·(q₁ − q₀) − h/2 (H₀(q₀, p̄, t₀) + H₀(q₁, p̄, t₁)) to the action, with the momenta p̄ in its middle. D₀ and D₁ multiply p and
 /// s by a factor:
@@ -30,6 +30,7 @@ pub struct DampedRattle<M>(
 );
 
 impl ConstrainedMethod for ContactSplitting {
+    // The momenta at the end are projected.
     const KEEPS_ENERGY: bool = false;
 }
 
@@ -37,7 +38,7 @@ impl ConstrainedMethod for ContactLeapfrog {
     const KEEPS_ENERGY: bool = false;
 }
 
-/// Implements the method for a splitting, with its name.
+/// Implements the method for a splitting, under the name of the splitting. The claim `symplectic` means a contact map for systems with an action.
 macro_rules! damped {
     ($($splitting:ident)*) => { $(
         implicit_method!(

@@ -43,7 +43,7 @@ impl ConstrainedMethod for DiscreteGradient {
     const KEEPS_ENERGY: bool = true;
 }
 
-/// The same step with the mean friction −hγ(P₀ + P₁)/2, and s₁ − s₀ = (P₀ + P₁)/2·(q₁ − q₀) − h H(x₀) φ₁(−hγ). H decays by e^(−hγ), and P₁ = p₁ + e^(−hγ/2)
+/// The same step with the mean friction −hγ(P₀ + P₁)/2, and s₁ − s₀ = (P₀ + P₁)/2·(q₁ − q₀) − h H(x₀) φ₁(−hγ). If no constraint moves, H decays by e^(−hγ), and P₁ = p₁ + e^(−hγ/2)
 /// Nᵀν.
 impl ConstrainedMethod for ContactDiscreteGradient {
     const KEEPS_ENERGY: bool = true;

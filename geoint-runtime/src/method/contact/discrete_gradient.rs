@@ -14,8 +14,9 @@
 /// If H depends on time, time is frozen at the middle t̄ of the step: H(x₁, t̄) = H(x₀, t̄) exp(−h g_s). Order and symmetry stay. If a contact map matters
 /// more than the decay of H, use [`ContactMidpoint`](crate::ContactMidpoint).
 ///
-/// Beside constraints g(q, t) = 0, for H = H₀(q, p, t) + γ(t)·s, the force −Ḡᵀλ joins, where Ḡ is the discrete gradient of g and g(q₁) = 0 determines λ. The
-/// law of H stays. If H₀ is quadratic in p, momenta are tangent to the constraints.
+/// Beside constraints g(q, t) = 0, for H = H₀(q, p, t) + γ(t)·s, the force −Ḡᵀλ joins, where Ḡ is the discrete gradient of g and g(q₁) = 0 determines λ. If
+/// no constraint moves, the law of H stays; otherwise H₁ = e^(−hγ) H₀ + φ₁(−hγ)·W with their work W. If H₀ is quadratic in p, momenta are tangent to the
+/// constraints. Steps with hγ ≤ −2 are refused.
 ///
 /// A Lagrangian that is quadratic in the velocities v may have no short formula for H, for example because its mass matrix is full. Steps of such a
 /// Lagrangian are solved for velocities, by the polarised discrete gradient. The law is H(x₁) = H(x₀) exp(hΛ_s) with p·v − L for H. Here Λ_s is the entry for

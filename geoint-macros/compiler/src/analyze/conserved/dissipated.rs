@@ -21,6 +21,13 @@ pub(crate) struct Dissipated {
     pub(crate) energy: bool,
 }
 
+impl Dissipated {
+    /// Returns whether a function was found.
+    pub(crate) fn is_some(&self) -> bool {
+        self.energy || !self.cyclic.is_empty() || !self.momenta.is_empty()
+    }
+}
+
 /// Finds the dissipated functions of a Lagrangian L(q, v, s, t) without an energy: J' = J ∂L/∂s.
 pub(crate) fn dissipated_by_velocities(graph: &mut Graph, lagrangian: Id, coordinates: &Shape) -> Option<Dissipated> {
     let momenta = super::noether(graph, lagrangian, coordinates);
@@ -58,7 +65,7 @@ fn with_cyclic(graph: &Graph, root: Id, coordinates: &Shape, momenta: Vec<Conser
     }
     let cyclic: Vec<u32> = (0..coordinates.len() as u32).filter(|i| !read.contains(&Symbol::Position(*i))).collect();
     let energy = !read.contains(&Symbol::Time);
-    (energy || !cyclic.is_empty() || !momenta.is_empty()).then_some(Dissipated { cyclic, momenta, energy })
+    Some(Dissipated { cyclic, momenta, energy }).filter(Dissipated::is_some)
 }
 
 /// Returns whether every term of a polynomial has degree 1 in p.

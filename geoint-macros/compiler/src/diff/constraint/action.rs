@@ -1,8 +1,13 @@
-//! Constraints beside an action. H = H₀(q, p, t) + γ(t)·s moves q' = ∂H₀/∂p, p' = −∂H₀/∂q − γp + Aᵀμ, s' = p·∂H₀/∂p − H. The multipliers μ are not in s'.
+//! Constraints g(q, t) = 0 beside an action. H = H₀(q, p, t) + γ(t)·s moves q' = ∂H₀/∂p, p' = −∂H₀/∂q − γp + Aᵀμ with A = ∂g/∂q, and s' = p·∂H₀/∂p − H. The
+//! multipliers μ are not in s'.
 //!
 //! A contact map of the states on the constraints is D₁ ∘ RATTLE ∘ D₀, where RATTLE solves H₀, and Dᵢ multiplies p and s by one factor; see [`Damping`]. A
 //! constraint force changes the contact form ds − p·dq by μ·A dq, which is zero on the constraints. The projection of momenta comes last: D₁ may turn tangent
 //! momenta away if constraints move.
+//!
+//! The discrete gradient lies between (q₀, P₀) and (q₁, P₁), where P₀ and P₁ are the momenta p₀ and p₁ with normal parts along ν; see [`Normal`].
+//!
+//! [`Normal`]: super::tangent::Normal
 
 use super::Equation;
 use super::vectors::{ends, moved};
@@ -27,7 +32,7 @@ pub(super) struct GradientStep<'a> {
     pub(super) sum: &'a [Id],
     /// H₀ at (q₀, P₀).
     pub(super) energy: Id,
-    /// The work of constraints that move. H₁ = e^(−hγ) H + φ₁(−hγ)·work, with the user's H, follows.
+    /// The work of constraints that move. H = H₀ + γs is then e^(−hγ) H + φ₁(−hγ)·work after the step, with γ in its middle.
     pub(super) work: Id,
 }
 
@@ -68,7 +73,7 @@ impl Damping {
                     let decay = at.apply(graph, decay);
                     graph.build(Number::HALF * h * decay)
                 });
-                // The reciprocal of the reciprocal is NaN for a negative number.
+                // `RecipPositive` is NaN unless its argument is positive. Applied twice, it is the number, or NaN.
                 let reciprocal = graph.build(call(Function::RecipPositive, [1 - start]));
                 let first = graph.call(Function::RecipPositive, &[reciprocal]);
                 let last = graph.build(call(Function::RecipPositive, [1 + end]));
@@ -125,9 +130,9 @@ impl Action {
         graph.build(power - Number::HALF * h * (first + last))
     }
 
-    /// The sum s = P₁ + P₀ − 2p₀ of the discrete gradient, from `impulse`, which is P₁ − P₀ + 2(P₀ − p₀) without friction. The friction is that of the mean
-    /// momentum: s = impulse − hγ(p₀ + s/2).
-    pub(super) fn damped(self, graph: &mut Graph, impulse: &[Id]) -> Vec<Id> {
+    /// The sum Σ = P₁ + P₀ − 2p₀ of the discrete gradient, from its value without friction, `impulse`. The friction is that of the mean momentum:
+    /// Σ = impulse − hγ(p₀ + Σ/2). NaN for hγ ≤ −2: no solution there is continuous in h.
+    pub(super) fn damped_sum(self, graph: &mut Graph, impulse: &[Id]) -> Vec<Id> {
         if graph.is_zero(self.decay) {
             return impulse.to_vec();
         }
@@ -145,7 +150,7 @@ impl Action {
         graph.build(call(Function::Exp, [-(Number::HALF * h * self.decay)]))
     }
 
-    /// The increment of s over a step of the discrete gradient: p̄·(q₁ − q₀) − h H̄, with the mean momentum p̄ = p₀ + s/2, and the mean H̄ of an energy that
+    /// The increment of s over a step of the discrete gradient: p̄·(q₁ − q₀) − h H̄, with the mean momentum p̄ = p₀ + Σ/2, and the mean H̄ of an energy that
     /// constraints change at a constant rate.
     pub(super) fn of_gradient(self, graph: &mut Graph, step: &GradientStep<'_>) -> Id {
         let GradientStep { dq, sum, energy, work } = *step;

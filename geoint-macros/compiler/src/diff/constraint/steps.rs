@@ -105,7 +105,7 @@ pub(crate) fn discrete_gradient_step(graph: &mut Graph, system: &Constrained<'_>
         impulse = sums(graph, &impulse, &normal.impulse);
     }
     if let Some(action) = system.action {
-        impulse = action.damped(graph, &impulse);
+        impulse = action.damped_sum(graph, &impulse);
     }
     let conditions = conditions(graph, system, &dq);
     let (increments, mut residual, [shift, gained]) = match velocity {

@@ -12,7 +12,10 @@ pub(super) fn report(report: &mut Report<'_>, found: &ConstrainedFindings, syste
     equations(report, found, system);
     let rolls = found.rows.iter().any(|row| row.value.is_none());
     match &found.action {
-        Some((action, dissipated)) => contact::decaying(report, "H", CONTACT_MAPS, action.decay, dissipated),
+        Some((action, dissipated)) if dissipated.is_some() => {
+            contact::decaying(report, "H", CONTACT_MAPS, action.decay, dissipated);
+        }
+        Some(_) => {}
         None => conserved(report, found, rolls),
     }
     work(report, found);
@@ -53,7 +56,8 @@ fn work(report: &mut Report<'_>, found: &ConstrainedFindings) {
             Some(_) => format!("{multiplier}·∂g[{k}]/∂t"),
             None => format!("−{multiplier}·({})", report.formula(row.drift)),
         };
-        writeln!(report, "- the energy changes at the rate {power}: this constraint does work");
+        let also = if found.action.is_some() { "also " } else { "" };
+        writeln!(report, "- the energy {also}changes at the rate {power}: this constraint does work");
     }
 }
 

@@ -7,8 +7,8 @@ pub trait PieceKind: Copy + Default {
     const NAME: &'static str;
 }
 
-/// A splitting all of whose flows are exact. Tables of maps and adjoints, such as [`BlanesMoan4X`](crate::BlanesMoan4X), need them: with steps of order 2 in
-/// place of flows they would have order 2.
+/// A splitting all of whose flows are exact. Tables of maps Φ and adjoints Φ*, such as [`BlanesMoan4X`](crate::BlanesMoan4X), need them: the driver merges the
+/// last flow of Φ with the first one of Φ*, and a step of order 2 in its place would leave the table with order 2.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` solves equations in place of flows, and this table would have order 2",
     label = "this table needs exact flows",
