@@ -117,8 +117,8 @@ fn errors_are_those_of_the_reference() {
     }
 }
 
-/// The momentum about the vertical decays as the contact form, and H as in the flow. Constraint and rate hold to rounding. So it is after 10⁵ steps, and in
-/// other units.
+/// The momentum about the vertical decays as the contact form, and H as in the flow. Constraint and rate hold to rounding, also after 10⁵ steps and
+/// in other units.
 #[test]
 fn laws_hold_to_rounding() -> Result<(), StepError> {
     for units in [SI, OTHERS] {

@@ -4,7 +4,7 @@
 //! mass. C carries one, and a pendulum hangs from C.
 //!
 //! The crank's angle is a given function of time. The end of the crank therefore has no coordinates, and the first constraint, the length of the coupler,
-//! depends on time. Two constraints determine the two coordinates of C. So the path of C follows from geometry, which is an independent check.
+//! depends on time. Two constraints determine the two coordinates of C. The path of C thus follows from geometry. This is an independent check.
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, largest, order, table};

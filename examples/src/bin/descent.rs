@@ -2,8 +2,8 @@
 //!
 //! A ball with friction, H = |p|²/2 + γs + f(q), rolls to a minimum of f. `ContactSplitting` alternates the exact flow of |p|²/2 + γs with kicks
 //! −h∇f. The positions yₖ of its kicks obey yₖ₊₁ = yₖ + μ(yₖ − yₖ₋₁) − ε∇f(yₖ) with μ = e^(−γh) and ε = h(1 − μ)/γ: this is the heavy ball
-//! of B. Polyak (1964), for every f and to rounding. A step reports positions between those of two kicks. f is often smaller there, so it needs
-//! fewer steps to a small f, which does not make either of them better. Y. Nesterov's method (1983) is no contact map.
+//! of B. Polyak (1964), for every f and to rounding. A step reports positions between those of two kicks. Often f is smaller there, and a small f needs
+//! fewer steps. This does not make either of them better. Y. Nesterov's method (1983) is no contact map.
 
 use geoint_examples::plot::{Axis, Curve, Ink, Panel, figure, palette};
 use geoint_examples::{claim, largest, table};

@@ -244,7 +244,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             && (plain.changed - 1.8e-4).abs() < 1e-4
             && (tempered.changed - 5.3e-2).abs() < 3e-3
     })?;
-    // Both wells have the same mean of q². So it is right for a = 0, too, although the well rarely changes.
+    // Both wells have the same mean of q². The mean is therefore right for a = 0 as well, although the well rarely changes.
     claim(
         "q² agrees with e^(−V) to three error bars",
         plain.square.agrees(exact_square) && tempered.square.agrees(exact_square),

@@ -20,10 +20,10 @@ pub trait Separable<R: Real = f64>: Cotangent<R> {
     type Kick: Copy;
     /// Coefficients of a drift of given length.
     type Drift: Copy;
-    /// What a kick does, with or without a force gradient. If it does not only add to p, [`kick_increments`](Separable::kick_increments) returns its
+    /// The kind of a kick, with or without a force gradient. If a kick does not only add to p, [`kick_increments`](Separable::kick_increments) returns its
     /// increments.
     const KICK: FlowKind = FlowKind::ADDS;
-    /// What a drift does. If it does not only add to q, [`drift_increments`](Separable::drift_increments) returns its increments.
+    /// The kind of a drift. If a drift does not only add to q, [`drift_increments`](Separable::drift_increments) returns its increments.
     const DRIFT: FlowKind = FlowKind::ADDS;
 
     /// Computes the coefficients of a kick of length `h`.

@@ -10,7 +10,7 @@ use crate::method::{Claims, Name};
 use crate::scalar::Real;
 use crate::system::ConstrainedStep;
 
-/// What the steps of the splitting `M` become if the system has constraints g(q, t) = 0: D₁ ∘ [`Rattle`](crate::Rattle) ∘ D₀ for H = H₀(q, p, t) + γ(t)·s.
+/// The splitting `M` for systems with constraints g(q, t) = 0: D₁ ∘ [`Rattle`](crate::Rattle) ∘ D₀ for H = H₀(q, p, t) + γ(t)·s.
 ///
 /// RATTLE solves H₀. It adds p̄·(q₁ − q₀) − h/2 (H₀(q₀, p̄, t₀) + H₀(q₁, p̄, t₁)) to the action, with the momenta p̄ in its middle. D₀ and D₁ multiply p and
 /// s by a factor:

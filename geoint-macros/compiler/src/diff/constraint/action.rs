@@ -24,7 +24,7 @@ pub(crate) struct Action {
     pub(crate) decay: Id,
 }
 
-/// What determines the increment of the action over a step of the discrete gradient.
+/// The numbers that determine the increment of the action over a step of the discrete gradient.
 pub(super) struct GradientStep<'a> {
     /// q₁ − q₀.
     pub(super) dq: &'a [Id],

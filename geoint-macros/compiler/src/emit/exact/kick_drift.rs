@@ -135,8 +135,8 @@ pub(super) fn moves<'a>(implementation: Implementation<'a>, name: &str, flow: &F
     }
 }
 
-/// Returns `impl MechanicalContact` and the steps of `ContactLeapfrog`. That method damps by factors of its own, so it needs the flows of T and V alone, at
-/// frozen time. A kick or drift that equals the one of `Separable` gets no kernel of its own, and calls that one.
+/// Returns `impl MechanicalContact` and the steps of `ContactLeapfrog`. `ContactLeapfrog` has its own factors of damping. It needs the flows of T and V
+/// alone, at frozen time. A kick or drift that equals the one of `Separable` gets no kernel of its own, and calls that one.
 fn mechanical(context: &Context<'_>, undamped: &Undamped) -> TokenStream {
     let damping = context.returned(&undamped.damping);
     let [kick, drift] =
